@@ -50,6 +50,7 @@ ORDER = "how parts are halved changes the work, and no pair is lost"
 AGAIN = "what is stopped is asked again in its turn"
 NOT_ENDED = "a block that is asked for has not ended"
 TO_THE_UNIT = "work ahead is bounded, but not to the last unit"
+IRRATIONAL = "of doubles and pi, 128 bits tell which is larger"
 LENGTH = "what arcs are found to move along has a length"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
@@ -84,6 +85,12 @@ KNOWN = {
         "a width is rounded down, to less than 0 where it is 0",
     ("pair_claims.cpp", "if (width > 0 && width >= distance) {", " > "): SLACK,
     ("pair_claims.cpp", "tangents) <= std::numbers::pi / 2", " < "): SLACK,
+    ("pair_claims.cpp", "return room && room->least > 0 &&", " >= "): ROUNDED_DOWN,
+    ("pair_claims.cpp", "if (!room || !(room->least > 0))", " >= "): ROUNDED_DOWN,
+    ("pair_claims.cpp", "Mpfi::pi()).upper < 0;", " <= "): IRRATIONAL,
+    ("pair_claims.cpp", "Mpfi::pi()).upper < 0;", ".lower"): IRRATIONAL,
+    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0 &&", " <= "): IRRATIONAL,
+    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0 &&", ".lower"): IRRATIONAL,
     ("pair_claims.cpp", "return range.lower > 0 &&", " >= "): REGULAR,
     ("pair_claims.cpp", "return range.lower > 0 &&", ".upper"): REGULAR,
     ("pair_claims.cpp", "* range.upper).upper <= range.lower", " < "): SLACK,

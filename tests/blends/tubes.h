@@ -33,4 +33,23 @@ inline RingedSurface elbow(double bend, double angle, double radius) {
           ConstantRadius{radius}};
 }
 
+/// The same by at most a half turn, on a rational Bezier curve, which does not say that it is an
+/// arc.
+inline RingedSurface elbow_of_bezier(double bend, double angle, double radius) {
+  RingedSurface result = elbow(bend, angle, radius);
+  const double c = std::cos(angle / 2), weight = (1 + 2 * c) / 3;
+  const Vec3 from = std::get<ArcSpine>(result.spine).start, to = result.end.center;
+  const Vec3 corner = 2 * bend * Vec3(c, std::sin(angle / 2), 0);  // times the cosine
+  result.spine = BezierSpine{{from, (from + corner) / (1 + 2 * c), (to + corner) / (1 + 2 * c), to},
+                             {1, weight, weight, 1}};
+  return result;
+}
+
+/// A cylinder on a Bezier curve, which does not say that it is a line.
+inline RingedSurface cylinder_of_bezier(const Vec3& from, const Vec3& to, double radius) {
+  RingedSurface result = cylinder(from, to, radius);
+  result.spine = BezierSpine{{from, (from + to) / 2, to}, {}};
+  return result;
+}
+
 }  // namespace dupin::test

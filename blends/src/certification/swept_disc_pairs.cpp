@@ -186,6 +186,34 @@ EmbeddedClaim prove_pieces_embedded(const SweptDiscs& sweep, std::size_t boxes,
 
 }  // namespace
 
+namespace {
+
+// Stretches before and behind a joint whose discs are on different sides of that of the joint.
+bool stay_apart(const SweptDiscs& first, const ParameterInterval& t, const SweptDiscs& second,
+                const ParameterInterval& s) {
+  return size(t) <= 1 && size(s) <= 1 && first.stays_on_one_side(t) && second.stays_on_one_side(s);
+}
+
+// Whether discs do not come back on the way from the one to the other within a part.
+bool is_short_way(const SweptDiscs& sweep, const Pair& pair, double longest_way) {
+  const ParameterInterval all{pair.first.from, pair.second.to};
+  const double joint = std::floor(pair.first.from) + 1;
+  std::vector<DiscPace> way;
+  return (joint < all.to && stay_apart(sweep, {all.from, joint}, sweep, {joint, all.to})) ||
+         (size(all) <= longest_way && sweep.append_way(all, way) && advances(way));
+}
+
+// The same, from the end to the start of a closed part.
+bool is_short_way_around(const SweptDiscs& sweep, const Pair& pair, double longest_way) {
+  const ParameterInterval to_end{pair.second.from, sweep.length()}, on{0, pair.first.to};
+  std::vector<DiscPace> way;
+  return stay_apart(sweep, to_end, sweep, on) ||
+         (size(to_end) + size(on) <= longest_way && sweep.append_way(to_end, way) &&
+          sweep.append_way(on, way) && advances(way));
+}
+
+}  // namespace
+
 EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t boxes,
                              double longest_way) {
   if (sweep.has_kneecaps()) {
@@ -200,13 +228,9 @@ EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t
     }
   }
   const auto is_short = [&](const Pair& pair) {
-    const ParameterInterval all{pair.first.from, pair.second.to};
-    std::vector<DiscPace> way, around;
-    return sweep.turns_little(all, margin) ||
-           (size(all) <= longest_way && sweep.append_way(all, way) && advances(way)) ||
-           (sweep.closed() && sweep.length() - pair.second.from + pair.first.to <= longest_way &&
-            sweep.append_way({pair.second.from, sweep.length()}, around) &&
-            sweep.append_way({0, pair.first.to}, around) && advances(around));
+    return sweep.turns_little({pair.first.from, pair.second.to}, margin) ||
+           is_short_way(sweep, pair, longest_way) ||
+           (sweep.closed() && is_short_way_around(sweep, pair, longest_way));
   };
   auto leaves = leaves_of(sweep, sweep, std::move(stack), is_short, boxes);
   if (leaves) {
@@ -237,8 +261,9 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
       const auto other = to_joint(second, pair.second, joint.second);
       std::vector<DiscPace> way;
       return !first.touches_knee(one) && !second.touches_knee(other) &&
-             size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
-             second.append_way(other, way) && advances(way);
+             (stay_apart(first, one, second, other) ||
+              (size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
+               second.append_way(other, way) && advances(way)));
     });
   };
   auto leaves = leaves_of(first, second, std::move(stack), is_short, boxes);

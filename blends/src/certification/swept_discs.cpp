@@ -91,7 +91,8 @@ SweptDiscs::SweptDiscs(std::size_t length,
                              return hull({t.from + double(i), t.to + double(i)});
                            },
                            [](const ParameterInterval&) { return std::optional<DiscPace>(); },
-                           [](const ParameterInterval&, double) { return false; }, false});
+                           [](const ParameterInterval&, double) { return false; },
+                           [](const ParameterInterval&) { return false; }, false});
   }
   part_ = std::make_shared<const Part>(std::move(part));
 }
@@ -191,6 +192,12 @@ bool SweptDiscs::turns_little(const ParameterInterval& t, double margin) const {
   const std::size_t i = piece_of(t);
   return t.to <= double(i + 1) &&
          part_->pieces[i].turns_little({t.from - double(i), t.to - double(i)}, margin);
+}
+
+bool SweptDiscs::stays_on_one_side(const ParameterInterval& t) const {
+  const std::size_t i = piece_of(t);
+  return !part_->pieces.empty() && t.to <= double(i + 1) &&
+         part_->pieces[i].stays_on_one_side({t.from - double(i), t.to - double(i)});
 }
 
 bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const {

@@ -77,8 +77,12 @@ class SweptDiscs {
   [[nodiscard]] DiscHull over(const ParameterInterval& t) const;
 
   /// Whether the discs at any two parameters in t are disjoint because t has no seam and the spine
-  /// turns by at most a right angle, given that the part is regular with this margin.
+  /// turns by at most a right angle or is an arc, given that the part is regular with this margin.
   [[nodiscard]] bool turns_little(const ParameterInterval& t, double margin) const;
+
+  /// Whether all discs in t are on one side of the planes of its first and of its last one, because
+  /// t has no seam and the spine is a line, or an arc of less than half a turn.
+  [[nodiscard]] bool stays_on_one_side(const ParameterInterval& t) const;
 
   /// Appends what `advances` needs about t, seams allowed; false where the numbers do not tell.
   [[nodiscard]] bool append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const;

@@ -198,9 +198,39 @@ double SweptDiscTube::turning(const ParameterInterval& t) const {
   return sum.upper;
 }
 
+// What is proven is a little more than enough, for a checker's own rounding.
+struct SweptDiscTube::ArcRoom {
+  double angle;  ///< by which the whole arc turns
+  double least;  ///< how far the discs stay from the axis, by its distance
+};
+
+std::optional<SweptDiscTube::ArcRoom> SweptDiscTube::room_on_arc(const ParameterInterval& t) const {
+  const auto* arc = std::get_if<ArcSpine>(&spine_);
+  if (arc == nullptr) {
+    return std::nullopt;
+  }
+  constexpr double kRounding = 0x1p-40;
+  const double distance = (arc->start - arc->center).norm();
+  const double least = 1 - radius(t).magnitude() / distance - kRounding;
+  return least > 0 ? std::optional(ArcRoom{arc->angle, least}) : std::nullopt;
+}
+
+bool SweptDiscTube::stays_on_one_side(const ParameterInterval& t) const {
+  constexpr double kRounding = 0x1p-40;
+  if (const auto* line = std::get_if<LineSpine>(&spine_)) {
+    return line->from != line->to;
+  }
+  const auto room = room_on_arc(t);
+  return (room && room->angle * (t.to - t.from) < std::numbers::pi &&
+          std::cos(room->angle * (t.to - t.from) / 2) * room->least > kRounding);
+}
+
 bool SweptDiscTube::turns_little(const ParameterInterval& t, double margin) const {
   // A little less than proven to be enough, for a checker's own rounding.
   constexpr double kSlack = 1 - 0x1p-40;
+  if (const auto room = room_on_arc(t); room && room->angle < 2 * std::numbers::pi * kSlack) {
+    return true;
+  }
   const numbers::Interval all = radius(t);
   if (!(turning(t) <= std::numbers::pi / 2 * kSlack) || !(all.lower > 0)) {
     return false;

@@ -27,14 +27,21 @@ class SweptDiscTube {
   [[nodiscard]] numbers::Interval radius(const ParameterInterval& t) const;
 
   /// Whether the discs at any two parameters in t are disjoint because the spine turns by at most a
-  /// right angle, given that 1 - kappa R > margin >= 0.
+  /// right angle, given that 1 - kappa R > margin >= 0; or because it is an arc of less than a turn
+  /// whose radius is larger than theirs.
   [[nodiscard]] bool turns_little(const ParameterInterval& t, double margin) const;
+
+  /// Whether all discs in t are on one side of the planes of its first and of its last one, because
+  /// the spine is a line, or an arc of less than half a turn whose radius is larger than theirs.
+  [[nodiscard]] bool stays_on_one_side(const ParameterInterval& t) const;
 
   /// None where the spine may stop.
   [[nodiscard]] std::optional<DiscPace> pace(const ParameterInterval& t) const;
 
  private:
+  struct ArcRoom;
   [[nodiscard]] double turning(const ParameterInterval& t) const;
+  [[nodiscard]] std::optional<ArcRoom> room_on_arc(const ParameterInterval& t) const;
 
   Spine spine_;
   std::vector<RadiusLaw> radii_;

@@ -67,6 +67,49 @@ bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, doubl
   return false;
 }
 
+// Of a stretch of an arc, which is one of an ellipse with the semi-axes a and b, a circle but for
+// rounding: min(a, b)^2 - R max(a, b), from below, and |a^2 - b^2|, from above.
+struct ArcRoom {
+  double least;
+  Interval difference;
+};
+
+std::optional<ArcRoom> room_on_arc(const Piece& piece, const ParameterInterval& t) {
+  const ArcSpine* arc = piece.tubes.empty() ? nullptr : piece.tubes.front().arc();
+  const auto discs = arc != nullptr ? discs_of(piece, t) : std::nullopt;
+  if (!discs) {
+    return std::nullopt;
+  }
+  const IntervalVec u = numbers::interval_vec(arc->start) - numbers::interval_vec(arc->center);
+  const IntervalVec v = numbers::cross(numbers::interval_vec(arc->axis), u);
+  const Interval a = numbers::dot(u, u), b = numbers::dot(v, v);
+  const Interval reach = Interval(discs->radius.magnitude()) * sqrt(max(a, b));
+  return ArcRoom{(min(a, b) - reach).lower, (a - b).magnitude()};
+}
+
+// The fifth lemma of docs/certificate_format.md: of discs on one arc.
+bool turns_less_than_once(const Piece& piece, const ParameterInterval& t) {
+  const auto room = room_on_arc(piece, t);
+  return room && room->least > 0 &&
+         narrowed(Mpfi(piece.tubes.front().arc()->angle) - 2 * Mpfi::pi()).upper < 0;
+}
+
+// The same lemma: all discs are on one side of the plane of the stretch's first, and of its last.
+bool stays_on_one_side(const Piece& piece, const ParameterInterval& t) {
+  const auto* line =
+      piece.tubes.empty() ? nullptr : std::get_if<LineSpine>(&piece.tubes.front().surface().spine);
+  if (line != nullptr) {
+    return line->from != line->to;
+  }
+  const auto room = room_on_arc(piece, t);
+  if (!room || !(room->least > 0)) {
+    return false;
+  }
+  const Mpfi half = Mpfi(piece.tubes.front().arc()->angle) * (Mpfi(t.to) - t.from) / 2;
+  return narrowed(half - Mpfi::pi() / 2).upper < 0 &&
+         (narrowed(cosine(half)) * room->least - room->difference).lower > 0;
+}
+
 // The first lemma of docs/certificate_format.md; the piece is known to be regular with this margin.
 bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, double margin) {
   if (tubes.empty() ||
@@ -150,6 +193,14 @@ bool advances(const std::vector<Cell>& way) {
   return false;
 }
 
+// The fifth lemma, of the discs before and behind a joint.
+bool stays_apart(const std::vector<Cell>& way) {
+  return way.size() == 2 && stays_on_one_side(*way.front().piece, way.front().t) &&
+         stays_on_one_side(*way.back().piece, way.back().t);
+}
+
+bool does_not_come_back(const std::vector<Cell>& way) { return stays_apart(way) || advances(way); }
+
 // Exactly: the point lies in the plane of the ring, and not outside of it.
 bool lies_in(const Ring& ring, const Vec3& point) {
   mpq_class height, squared;
@@ -204,14 +255,15 @@ bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
     return false;
   }
   const double beyond = solid.length() - leaf.second.from + leaf.first.to;
-  if (piece != nullptr && turns_little(piece->tubes, within_piece(all), margin)) {
+  if (piece != nullptr && (turns_less_than_once(*piece, within_piece(all)) ||
+                           turns_little(piece->tubes, within_piece(all), margin))) {
     return true;
   }
   std::vector<Cell> way, around;
-  return (all.to - all.from <= kLongestWay && append(solid, all, way) && advances(way)) ||
+  return (all.to - all.from <= kLongestWay && append(solid, all, way) && does_not_come_back(way)) ||
          (solid.closed() && beyond <= kLongestWay &&
           append(solid, {leaf.second.from, solid.length()}, around) &&
-          append(solid, {0, leaf.first.to}, around) && advances(around));
+          append(solid, {0, leaf.first.to}, around) && does_not_come_back(around));
 }
 
 // The discs from the stretch to the end where the joint is.
@@ -227,7 +279,7 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
     std::vector<Cell> way;
     return knees_at(first, one).empty() && knees_at(second, other).empty() &&
            one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, way) &&
-           append(second, other, way) && advances(way);
+           append(second, other, way) && does_not_come_back(way);
   });
 }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "blends/random_blends.h"
 
@@ -32,6 +33,35 @@ TEST(Certificate, holds_whatever_work_its_searches_may_take) {
   // The far one is the third.
   for (const std::size_t i : {1U, 3U, 5U}) {
     EXPECT_EQ(first_looks.clearances[i].verdict, Verdict::proved);
+  }
+}
+
+// A random direction and place each; nothing of it was found within the work that a claim may take.
+TEST(Certificate, of_bends_hardly_wider_than_their_pipe_is_found) {
+  std::mt19937_64 random(15);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  for (const double ratio : {1 + 1e-6, 1.0001, 1.01, 1.2}) {
+    for (const double angle : {90., 135., 180.}) {
+      SCOPED_TRACE(std::to_string(ratio) + " " + std::to_string(angle));
+      const double radius = std::exp(normal(random));
+      const double turned = angle * std::numbers::pi / 180;
+      const Place from{1e3 * vector(), vector(), radius};
+      const Certificate found =
+          certify({"bend.json",
+                   Unit::millimetre,
+                   radius / 50,
+                   {},
+                   {{"inlet", PipeAlong{from, 3 * radius}},
+                    {"bend", ElbowTurning{PortReference{"inlet", End::end}, ratio * radius, turned,
+                                          vector()}},
+                    {"outlet", PipeAlong{PortReference{"bend", End::end}, 3 * radius}}}});
+      verify(found);
+      EXPECT_EQ(found.claims[1].embedded->verdict, Verdict::proved);
+      for (const std::size_t joint : {0, 2}) {
+        EXPECT_EQ(found.clearances[joint].verdict, Verdict::proved) << joint;
+      }
+    }
   }
 }
 

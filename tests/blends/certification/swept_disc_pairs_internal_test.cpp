@@ -230,7 +230,7 @@ TEST(SweptDiscPairs, parts_that_cross_themselves_are_not_embedded) {
 }
 
 TEST(SweptDiscPairs, no_more_work_is_done_than_allowed) {
-  Chain hollow = elbow(3, 5.5, 1);
+  Chain hollow = test::elbow_of_bezier(3, 3, 1);
   hollow.wall = 0.25;
   EXPECT_EQ(prove_embedded(SweptDiscs(hollow), 0.25, kBoxes).verdict, Verdict::proved);
   EXPECT_EQ(prove_embedded(SweptDiscs(hollow), 0.25, 1).verdict, Verdict::undecided);
@@ -240,7 +240,8 @@ TEST(SweptDiscPairs, no_more_work_is_done_than_allowed) {
 TEST(SweptDiscPairs, searches_end_when_the_work_of_all_is_used_up) {
   SearchWork enough(1 << 16), none(0);
   const Chain pipe = cylinder(Vec3(-5, 0, 0), Vec3(5, 0, 0), 1),
-              across = cylinder(Vec3(1, -5, 1), Vec3(1, 5, 1), 0.75), bend = elbow(3, 5.5, 1);
+              across = cylinder(Vec3(1, -5, 1), Vec3(1, 5, 1), 0.75), bend = elbow(3, 5.5, 1),
+              turned = test::elbow_of_bezier(3, 3, 1);
   const Sphere inside{Vec3::Zero(), 1};  // of the bend, whose hull holds it
   for (SearchWork* work : {&enough, &none}) {
     const bool found = work == &enough;
@@ -249,7 +250,7 @@ TEST(SweptDiscPairs, searches_end_when_the_work_of_all_is_used_up) {
               verdict_if_found);
     EXPECT_EQ(prove_clearance(SweptDiscs(pipe, work), SweptDiscs(across, work), kBoxes).verdict,
               verdict_if_found);
-    EXPECT_EQ(prove_embedded(SweptDiscs(bend, work), 0.25, kBoxes).verdict, verdict_if_found);
+    EXPECT_EQ(prove_embedded(SweptDiscs(turned, work), 0.25, kBoxes).verdict, verdict_if_found);
     const SweptDiscs straight(pipe, work);
     EXPECT_EQ(prove_embedded(straight, 0.25, kBoxes).verdict, Verdict::proved);
     const ClearanceClaim clear =
@@ -285,6 +286,29 @@ TEST(SweptDiscPairs, joined_parts_have_nothing_but_the_joint_in_common) {
     }
   }
   EXPECT_TRUE(covers(claim.leaves, 1, 0));
+}
+
+// Of a bend of hardly more than the pipe's radius planes would tell apart what is near each other
+// in thousands of leaves.
+TEST(SweptDiscPairs, tight_bends_are_told_apart_by_where_they_are) {
+  for (const double bend : {1.0001, 1.01, 1.5}) {
+    const Chain pipe = cylinder(Vec3(bend, -9, 0), Vec3(bend, 0, 0), 1);
+    EXPECT_EQ(prove_embedded(SweptDiscs(elbow(bend, 6.28, 1)), 0x1p-60, 1).leaves.size(), 1);
+    for (const double angle : {kPi / 2, 3.1, kPi}) {
+      const ClearanceClaim claim = prove_joint(SweptDiscs(pipe), SweptDiscs(elbow(bend, angle, 1)),
+                                               {{End::end, End::start}}, 100);
+      EXPECT_EQ(claim.verdict, Verdict::proved) << bend << " " << angle;
+    }
+  }
+}
+
+// A loop of two half turns: the way from the one to the other is short at both ends.
+TEST(SweptDiscPairs, half_turns_of_a_closed_part_are_apart) {
+  RingedSurface there = elbow(3, kPi, 2.99), back = there;
+  std::get<ArcSpine>(back.spine).start = -std::get<ArcSpine>(there.spine).start;
+  Chain loop(std::vector{there, back});
+  loop.closed = true;
+  EXPECT_EQ(prove_embedded(SweptDiscs(loop), 0x1p-60, 1000).verdict, Verdict::proved);
 }
 
 TEST(SweptDiscPairs, joined_parts_may_meet_again) {

@@ -119,7 +119,8 @@ TEST(SweptDiscs, of_a_ball_are_the_ball) {
 }
 
 TEST(SweptDiscs, turn_little_by_at_most_a_right_angle_within_a_piece) {
-  const SweptDiscs sweep(Chain(std::vector{elbow(3, 2 * kQuarter, 1), elbow(3, kQuarter, 1)}));
+  const SweptDiscs sweep(Chain(std::vector{test::elbow_of_bezier(3, 2 * kQuarter, 1),
+                                           test::elbow_of_bezier(3, kQuarter, 1)}));
   const struct {
     ParameterInterval t;
     bool expected;
@@ -130,6 +131,15 @@ TEST(SweptDiscs, turn_little_by_at_most_a_right_angle_within_a_piece) {
   for (const auto& row : rows) {
     EXPECT_EQ(sweep.turns_little(row.t, 0.5), row.expected) << row.t.from << " " << row.t.to;
   }
+}
+
+TEST(SweptDiscs, stay_on_one_side_within_a_piece) {
+  const SweptDiscs sweep(Chain(std::vector{elbow(3, 3 * kQuarter, 1), elbow(3, kQuarter, 1)}));
+  EXPECT_TRUE(sweep.stays_on_one_side({0, .625}));
+  EXPECT_FALSE(sweep.stays_on_one_side({0, .75}));
+  EXPECT_TRUE(sweep.stays_on_one_side({1, 2}));
+  EXPECT_FALSE(sweep.stays_on_one_side({.9375, 1.0625})) << "a seam";
+  EXPECT_FALSE(SweptDiscs(Sphere{Vec3::Zero(), 1}).stays_on_one_side({0, 1}));
 }
 
 // The pace of an arc of bend radius 3 per unit of its parameter: it advances by 3 times its angle

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "blends/tubes.h"
 #include "support/paper_surfaces.h"
 #include "surfaces/swept_disc_tube.h"
 
@@ -95,6 +97,9 @@ TEST(SweptDiscTube, radius_is_that_of_the_law_or_of_the_larger_semi_axis) {
   }
 }
 
+// On a curve that does not say that it is an arc.
+Spine arc_of_bezier(double angle) { return test::elbow_of_bezier(4, angle, 1).spine; }
+
 TEST(SweptDiscTube, turns_little_up_to_a_right_angle_and_where_the_margin_permits) {
   struct Row {
     Spine spine;
@@ -103,13 +108,13 @@ TEST(SweptDiscTube, turns_little_up_to_a_right_angle_and_where_the_margin_permit
     bool little;
   };
   const Row rows[] = {
-      {arc(1.57), ConstantRadius{1}, 0, true},
-      {arc(1.58), ConstantRadius{1}, 0, false},
-      {arc(1.57), LinearRadius{1, 3}, 0, true},  // grows all the way
-      {arc(1.57), BezierRadius{{3, 2, 2, 1}}, 0, true},
-      {arc(1.57), BezierRadius{{1, 2, 1}}, 0, false},  // grows and falls
-      {arc(1.57), BezierRadius{{1, 2, 1}}, .6, true},  // by less than the margin
-      {arc(1.57), ConstantRadius{0}, 0, false},
+      {arc_of_bezier(1.57), ConstantRadius{1}, 0, true},
+      {arc_of_bezier(1.58), ConstantRadius{1}, 0, false},
+      {arc_of_bezier(1.57), LinearRadius{1, 3}, 0, true},  // grows all the way
+      {arc_of_bezier(1.57), BezierRadius{{3, 2, 2, 1}}, 0, true},
+      {arc_of_bezier(1.57), BezierRadius{{1, 2, 1}}, 0, false},  // grows and falls
+      {arc_of_bezier(1.57), BezierRadius{{1, 2, 1}}, .6, true},  // by less than the margin
+      {arc_of_bezier(1.57), ConstantRadius{0}, 0, false},
       {test::skew_spine(10, 20), ConstantRadius{1}, 0, false},
   };
   for (const Row& row : rows) {
@@ -119,12 +124,48 @@ TEST(SweptDiscTube, turns_little_up_to_a_right_angle_and_where_the_margin_permit
   EXPECT_TRUE(tube(test::skew_spine(10, 20), ConstantRadius{1}).turns_little({.5, .625}, 0));
   // Of semi-axes, one of which grows while the other falls.
   EllipticTube elliptic;
-  elliptic.spine = arc(1);
+  elliptic.spine = arc_of_bezier(1);
   elliptic.first = LinearRadius{1, 2};
   elliptic.second = LinearRadius{1, 2};
   EXPECT_TRUE(SweptDiscTube(elliptic).turns_little({0, 1}, 0));
   elliptic.second = LinearRadius{2, 1};
   EXPECT_FALSE(SweptDiscTube(elliptic).turns_little({0, 1}, 0));
+}
+
+// About (1, 2, 3), with the radius 4.
+TEST(SweptDiscTube, turns_little_on_an_arc_of_a_larger_radius_that_is_no_full_turn) {
+  const struct {
+    double angle;
+    RadiusLaw radius;
+    bool little;
+  } rows[] = {
+      {6.283, ConstantRadius{3.9999}, true},
+      {6.284, ConstantRadius{1}, false},
+      {3, ConstantRadius{4}, false},
+      {3, LinearRadius{1, 3.9}, true},
+      {3, LinearRadius{1, 4.1}, false},
+      {3, BezierRadius{{1, 3, 1}}, true},
+      {3, BezierRadius{{1, -4.1, 1}}, false},
+      {3, ConstantRadius{4 * (1 - 0x1p-36)}, true},
+      {3, ConstantRadius{4 * (1 - 0x1p-44)}, false}  // a checker may find it too large
+  };
+  for (const auto& row : rows) {
+    EXPECT_EQ(tube(arc(row.angle), row.radius).turns_little({0, 1}, 0), row.little) << &row - rows;
+  }
+}
+
+TEST(SweptDiscTube, stays_on_one_side_along_lines_and_less_than_half_a_turn) {
+  const LineSpine line{Vec3(0, 0, 0), Vec3(3, 4, 1)};
+  EXPECT_TRUE(tube(line, LinearRadius{1, 9}).stays_on_one_side({0, 1}));
+  EXPECT_FALSE(tube(LineSpine{line.to, line.to}, ConstantRadius{1}).stays_on_one_side({0, 1}));
+  EXPECT_FALSE(tube(arc_of_bezier(1), ConstantRadius{1}).stays_on_one_side({0, 1}));
+  EXPECT_TRUE(tube(arc(3.14), ConstantRadius{3.999}).stays_on_one_side({0, 1}));
+  EXPECT_FALSE(tube(arc(3.14), ConstantRadius{4}).stays_on_one_side({0, 1}));
+  EXPECT_FALSE(tube(arc(3.15), ConstantRadius{1}).stays_on_one_side({0, 1}));
+  EXPECT_FALSE(tube(arc(6.28), ConstantRadius{1}).stays_on_one_side({0, 1}));
+  EXPECT_TRUE(tube(arc(6.28), ConstantRadius{1}).stays_on_one_side({.25, .5}));
+  EXPECT_FALSE(tube(arc(std::numbers::pi), ConstantRadius{1}).stays_on_one_side({0, 1}))
+      << "but for less than a checker's rounding";
 }
 
 TEST(SweptDiscTube, pace_is_the_spines_speed_and_turning) {

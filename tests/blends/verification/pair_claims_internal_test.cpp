@@ -39,8 +39,8 @@ ClearanceClaim common_point(Verdict verdict, const Overlap& overlap) {
 
 DiscPairs whole(const std::optional<Vec3>& direction = {}) { return {{0, 1}, {0, 1}, direction}; }
 
-// Of half a torus in so many stretches: neighbours turn by less than a right angle, others have the
-// half-plane between them.
+// Of half a torus on a Bezier curve, in so many stretches: neighbours turn by less than a right
+// angle, others have the half-plane between them.
 std::vector<DiscPairs> leaves_of_half_torus(int stretches) {
   std::vector<DiscPairs> leaves;
   const auto stretch = [=](int i) {
@@ -48,7 +48,8 @@ std::vector<DiscPairs> leaves_of_half_torus(int stretches) {
   };
   for (int i = 0; i < stretches; ++i) {
     for (int j = i; j < stretches; ++j) {
-      const double between = pi * (i + j + 1) / 2 / stretches;
+      const double middle = (i + j + 1) / 2. / stretches;
+      const double between = 2 * std::atan2(middle, 1 - middle);
       leaves.push_back({stretch(i), stretch(j), {}});
       if (j > i + 1) {
         leaves.back().direction = Vec3(-std::sin(between), std::cos(between), 0);
@@ -72,8 +73,8 @@ TEST(EmbeddedClaim, needs_the_part_to_be_proved_regular) {
 }
 
 TEST(EmbeddedClaim, of_half_a_torus_follows_from_stretches_and_planes) {
-  const Solid solid = test::solid(test::elbow(4, pi, 1));
-  const std::vector<DiscPairs> leaves = leaves_of_half_torus(5);
+  const Solid solid = test::solid(test::elbow_of_bezier(4, pi, 1));
+  const std::vector<DiscPairs> leaves = leaves_of_half_torus(6);
   EXPECT_TRUE(follows(solid, embedded(leaves), kRegular));
   EXPECT_FALSE(follows(solid, embedded({whole()}), kRegular));  // it turns by more than pi / 2
   for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -109,7 +110,7 @@ TEST(EmbeddedClaim, of_a_tube_that_swells_needs_the_margin) {
   bulb.radius = BezierRadius{{1, 1.5, 1}};  // at most 1.25; control points say up to 1.5
   const Solid solid = test::solid(bulb);
   EXPECT_TRUE(follows(solid, embedded({whole()}), {Verdict::proved, .4, {}, {}}));
-  RingedSurface bent = test::elbow(4, 1.5, 1);  // by more than lemma 2 takes
+  RingedSurface bent = test::elbow_of_bezier(4, 1.5, 1);  // by more than lemma 2 takes
   bent.radius = BezierRadius{{1, 2, 1}};
   EXPECT_TRUE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .6, {}, {}}));
   EXPECT_FALSE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .1, {}, {}}));
@@ -117,7 +118,7 @@ TEST(EmbeddedClaim, of_a_tube_that_swells_needs_the_margin) {
 
 // Bent by more than lemma 2 takes.
 TEST(EmbeddedClaim, of_a_tube_that_only_grows_or_falls_needs_no_margin) {
-  RingedSurface bent = test::elbow(4, 1.5, 1);
+  RingedSurface bent = test::elbow_of_bezier(4, 1.5, 1);
   for (const RadiusLaw& law : {RadiusLaw(LinearRadius{1, 2}), RadiusLaw(LinearRadius{2, 1}),
                                RadiusLaw(CyclideRadius{1, 2}), RadiusLaw(CyclideRadius{2, 1})}) {
     bent.radius = law;
@@ -127,7 +128,7 @@ TEST(EmbeddedClaim, of_a_tube_that_only_grows_or_falls_needs_no_margin) {
 
 TEST(EmbeddedClaim, of_an_elliptic_tube_that_swells_needs_the_margin_of_its_larger_axis) {
   EllipticTube tube;
-  const RingedSurface about = test::elbow(16, 1.5, 3);
+  const RingedSurface about = test::elbow_of_bezier(16, 1.5, 3);
   tube.start = about.start;
   tube.end = about.end;
   tube.spine = about.spine;
@@ -146,7 +147,7 @@ TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
   EXPECT_TRUE(follows(chain, embedded(leaves), kRegular));
   EXPECT_FALSE(follows(chain, embedded({{{0, 2}, {0, 2}, {}}}), kRegular));  // over both pieces
   const Solid tight =
-      test::solid(test::cylinder({1.5, -3, 0}, {1.5, 0, 0}, 1), test::elbow(1.5, 1.2, 1));
+      test::solid(test::cylinder_of_bezier({1.5, -3, 0}, {1.5, 0, 0}, 1), test::elbow(1.5, 1.2, 1));
   EXPECT_FALSE(follows(tight, embedded(leaves), kRegular));
 }
 
@@ -155,7 +156,7 @@ TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
 TEST(EmbeddedClaim, goes_around_only_where_the_chain_closes) {
   const Vec3 up = Vec3::UnitY();
   const auto chain = [](const auto& last) {
-    return test::part(test::cylinder({0, 0, 0}, {3, 0, 0}, 1),
+    return test::part(test::cylinder_of_bezier({0, 0, 0}, {3, 0, 0}, 1),
                       test::cylinder({0, 100, 0}, {3, 100, 0}, 1),
                       test::cylinder({0, 200, 0}, {3, 200, 0}, 1), last);
   };
@@ -327,12 +328,12 @@ TEST(ClearanceClaim, of_balls_is_never_more_than_their_distance) {
   }
 }
 
-// A straight pipe into a bend of radius R and angle a: the lemma asks for R (1 - a^2 / 2) > r, and
+// A straight pipe into a bend of radius R and angle a: lemma 2 asks for R (1 - a^2 / 2) > r, and
 // the cells lose nothing. r is the largest radius on the way.
 TEST(ClearanceClaim, of_joined_parts_follows_just_where_the_lemma_says) {
   const auto connected = [](double bend, double angle, const RadiusLaw& before,
                             const RadiusLaw& after) {
-    RingedSurface pipe = test::cylinder({bend, -3, 0}, {bend, 0, 0}, 1);
+    RingedSurface pipe = test::cylinder_of_bezier({bend, -3, 0}, {bend, 0, 0}, 1);
     RingedSurface elbow = test::elbow(bend, angle, 1);
     pipe.radius = before;
     elbow.radius = after;
@@ -469,7 +470,7 @@ TEST(ClearanceClaim, of_what_is_not_full_is_never_an_overlap) {
 }
 
 TEST(ClearanceClaim, of_joined_parts_follows_by_the_way_through_the_joint) {
-  const Solid pipe = test::solid(test::cylinder({4, -3, 0}, {4, 0, 0}, 1)),
+  const Solid pipe = test::solid(test::cylinder_of_bezier({4, -3, 0}, {4, 0, 0}, 1)),
               bend = test::solid(test::elbow(4, .5, 1)), tight = test::solid(test::elbow(4, 2, 1));
   const std::vector<JoinedEnds> joined{kEndToStart};
   EXPECT_TRUE(follows(pipe, bend, joined, clearance(0, {whole()})));

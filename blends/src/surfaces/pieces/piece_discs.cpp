@@ -121,7 +121,7 @@ PieceDiscs discs_of(const SweptDiscTube& tube, bool full) {
       [tube](const ParameterInterval& t) { return hull_of(tube, t); },
       [tube](const ParameterInterval& t) { return tube.pace(t); },
       [tube](const ParameterInterval& t, double margin) { return tube.turns_little(t, margin); },
-      full};
+      [tube](const ParameterInterval& t) { return tube.stays_on_one_side(t); }, full};
 }
 
 PieceDiscs discs_of(const DiscMotion& motion) {
@@ -131,7 +131,8 @@ PieceDiscs discs_of(const DiscMotion& motion) {
             return disc ? std::optional(pace(*disc, (numbers::Interval(t.to) - t.from).upper))
                         : std::nullopt;
           },
-          [](const ParameterInterval&, double) { return false; }, true};
+          [](const ParameterInterval&, double) { return false; },
+          [](const ParameterInterval&) { return false; }, true};
 }
 
 }  // namespace dupin::surfaces

@@ -42,8 +42,10 @@ struct PieceDiscs {
   /// None where the numbers do not tell.
   std::function<std::optional<DiscPace>(const ParameterInterval&)> pace;
   /// Whether the discs at any two parameters of a stretch are disjoint because the spine turns by
-  /// at most a right angle, given that the piece is regular with this margin.
+  /// at most a right angle or is an arc, given that the piece is regular with this margin.
   std::function<bool(const ParameterInterval&, double margin)> turns_little;
+  /// Whether all discs of a stretch are on one side of the planes of its first and of its last one.
+  std::function<bool(const ParameterInterval&)> stays_on_one_side;
   bool full = true;  ///< the piece is the union of its discs
 };
 
