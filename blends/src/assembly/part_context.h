@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 
@@ -30,11 +31,14 @@ struct PartContext {
 };
 
 /// What `work` returns; an Error that names no part yet gets this part's name and place in the
-/// document.
+/// document, and so does one that names a piece of it only.
 template <typename Work>
 auto with_part_context(const Assembly& assembly, std::uint32_t part, const Work& work) {
   try {
     return work();
+  } catch (const PieceError& error) {
+    throw Error(error.code(), error.part() + ": " + error.message(), assembly.parts.at(part).name,
+                document_place(assembly, part));
   } catch (const Error& error) {
     if (!error.part().empty() || error.code() == Errc::cancelled) {
       throw;

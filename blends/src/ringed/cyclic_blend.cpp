@@ -166,45 +166,52 @@ std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
   return std::nullopt;
 }
 
-[[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
-                                    const CyclicBlendOptions& options) {
-  const auto widest = widest_choice(from, to, options, search(from, to, options));
-  throw Error(
-      Errc::infeasible_blend,
-      "no end speeds give this blend a margin min(1 - kappa R) of " +
-          decimal(options.margin, kMessageDigits) +
-          (widest ? "; the largest reachable is " + decimal(widest->margin, 4) +
-                        " with k = " + decimal(widest->k, 4) + ", l = " + decimal(widest->l, 4)
-                  : "") +
-          "; move the ends apart, reduce the radii, or ask for less margin");
-}
-
-// In as few digits as still work: the nearest choice lies on the edge of what is possible.
+// In as few digits as still have the margin: the nearest choice lies on the edge of what is
+// possible, and so may the widest.
 std::string speeds_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
-                        const BlendChoice& choice) {
+                        const BlendChoice& choice, double margin) {
   std::string k, l;
   for (int digits = 4; digits <= 17; ++digits) {
     k = decimal(choice.k, digits);
     l = decimal(choice.l, digits);
-    if (is_valid(assembled(from, to, options, std::stod(k), std::stod(l)), options.margin)) {
+    if (is_valid(assembled(from, to, options, std::stod(k), std::stod(l)), margin)) {
       break;
     }
   }
   return "k = " + k + ", l = " + l;
 }
 
+std::string widest_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                        const BlendChoice& widest) {
+  constexpr double kFourDigits = 0x1p-13;
+  return speeds_text(from, to, options, widest,
+                     widest.margin - kFourDigits * std::abs(widest.margin));
+}
+
+[[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
+                                    const CyclicBlendOptions& options) {
+  const auto widest = widest_choice(from, to, options, search(from, to, options));
+  throw Error(Errc::infeasible_blend,
+              "no end speeds give this blend a margin min(1 - kappa R) of " +
+                  decimal(options.margin, kMessageDigits) +
+                  (widest ? "; the largest reachable is " + decimal(widest->margin, 4) + " with " +
+                                widest_text(from, to, options, *widest)
+                          : "") +
+                  "; move the ends apart, reduce the radii, or ask for less margin");
+}
+
 std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
                    const BlendAdvice& advice) {
   std::string widest;
   if (advice.widest) {
-    widest = "the largest margin, " + decimal(advice.widest->margin, 4) +
-             ", has k = " + decimal(advice.widest->k, 4) + ", l = " + decimal(advice.widest->l, 4);
+    widest = "the largest margin, " + decimal(advice.widest->margin, 4) + ", has " +
+             widest_text(from, to, options, *advice.widest);
   }
   if (!advice.nearest) {
     return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
   }
-  return widest + "; nearest to those given, " + speeds_text(from, to, options, *advice.nearest) +
-         " works";
+  return widest + "; nearest to those given, " +
+         speeds_text(from, to, options, *advice.nearest, options.margin) + " works";
 }
 
 // Sampled where the margin is missed, for the message: what is proven is the interval.

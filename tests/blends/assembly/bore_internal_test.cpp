@@ -139,6 +139,29 @@ TEST(Bore, of_a_junction_is_refused_where_an_arm_is_thinner_than_the_wall) {
   }
 }
 
+// A piece is at fault, and the part that it is of is named, with its place.
+TEST(Bore, of_a_chain_is_refused_where_a_piece_is_thinner_than_the_wall) {
+  const auto document = [](double wall) {
+    return walled(
+        {part("chain", CyclideChainThrough{ChainFree(),
+                                           {PeVector{{0, 0, 0}, 1}, PeVector{{3, 0, 0}, .65},
+                                            PeVector{{6, 0, 0}, .3}},
+                                           {}})},
+        wall, 0.02);
+  };
+  EXPECT_EQ(regions(document(0.1)).metal.solid.components(), 1);
+  try {
+    (void)regions(document(0.5));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_EQ(error.part(), "chain");
+    EXPECT_EQ(error.where(), "/parts/0");
+    EXPECT_EQ(error.message(),
+              "piece 0: the wall of 0.5 is no thinner than the least sphere, of radius 0.3");
+  }
+}
+
 // Offsets of cyclides are cyclides, and that of the hub is a sphere: volumes in closed form.
 TEST(Bore, of_a_junction_is_the_junction_of_the_inner_radii) {
   const double wall = 0.4, tolerance = 0.004;

@@ -85,6 +85,33 @@ TEST(CyclicBlend, proposes_speeds_that_work) {
   EXPECT_NO_THROW((void)cyclic_blend(kInlet, kOutlet, {.k = k, .l = l}));
 }
 
+// Between a pipe and the tip of a cone, where k = 7.62 is a little more than its radius allows.
+TEST(CyclicBlend, has_the_largest_margin_at_the_speeds_that_it_prints) {
+  const Ring tip{Vec3(9.3671, 0, 0), Vec3::UnitX(), 1e-6, -1e-6 / 3.265611737776596};
+  const Vec3 along = Vec3(-0.2457, 1.2209, 0.0409).normalized();
+  const Ring wide{Vec3(-22.869, -16.781, -3.371) + 13.6117 * along, along, 2};
+  const auto options = [](double k, double l, double margin) {
+    CyclicBlendOptions result;
+    result.continuity = Continuity::g2;
+    result.k = k;
+    result.l = l;
+    result.margin = margin;
+    return result;
+  };
+  const Error error = error_of([&] { (void)cyclic_blend(tip, wide, options(48.6, 58.5, .05)); });
+  const std::string& message = error.message();
+  const auto number_after = [&](const std::string& said, std::size_t at) {
+    return std::stod(message.substr(message.find(said, at) + said.size()));
+  };
+  const std::size_t at = message.find("the largest margin, ");
+  ASSERT_NE(at, std::string::npos) << message;
+  EXPECT_THAT(message, Not(HasSubstr("has k = 7.62,"))) << "no such case";
+  const double margin = number_after("the largest margin, ", at);
+  EXPECT_NO_THROW((void)cyclic_blend(
+      tip, wide, options(number_after("k = ", at), number_after("l = ", at), margin * (1 - 1e-3))))
+      << message;
+}
+
 // Fig. 5: rho - R is at least -0.439440223609 [MS06]; the tabulated largest margin.
 TEST(BlendAdvice, says_what_is_missing_and_what_is_nearest) {
   const CyclicBlendOptions figure5{.k = 18, .l = 25, .margin = 0};

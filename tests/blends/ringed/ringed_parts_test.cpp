@@ -125,7 +125,7 @@ TEST(RingedParts, refuse_bad_input_with_its_place_and_a_way_out) {
        Errc::invalid_argument, "doc#/parts/6/pipe/axis", "across"},
       {"elliptic pipe of no length",
        R"({"name": "x", "pipe": {"from": [1, 0, 0], "to": [1, 0, 0], "semi_axes": [2, 1], "axis": [0, 0, 1]}})",
-       Errc::invalid_argument, "doc#/parts/6/pipe/to", "differ"},
+       Errc::invalid_argument, "doc#/parts/6/pipe/to", "1e-12 or more away"},
       {"elliptic end of a circle without an axis",
        R"({"name": "x", "cone": {"from": "a.end", "length": 1, "end_semi_axes": [2, 1]}})",
        Errc::invalid_argument, "doc#/parts/6/cone/end_semi_axes", "axis"},

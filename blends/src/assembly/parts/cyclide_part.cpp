@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "assembly/parts/part_checks.h"
 #include "dupin/blends/cyclide_tube.h"
-#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
@@ -47,15 +47,11 @@ class ChainPart {
   void check_numbers() const {
     for (std::size_t i = 0; i < chain_.spheres.size(); ++i) {
       const auto& [center, radius] = chain_.spheres[i];
-      if (!center.allFinite() || !(std::isfinite(radius) && radius > 0)) {
-        fail(Errc::invalid_argument, sphere_key(i),
-             "a sphere needs finite coordinates and a positive radius, not " +
-                 decimal(radius, kMessageDigits));
-      }
+      check_finite(context_, center, sphere_key(i));
+      check_positive(context_, radius, sphere_key(i));
     }
-    if (!(chain_.wall >= 0 && std::isfinite(chain_.wall))) {
-      fail(Errc::invalid_argument, "wall",
-           "the wall's thickness must be positive, not " + decimal(chain_.wall, kMessageDigits));
+    if (chain_.wall != 0) {
+      check_positive(context_, chain_.wall, "wall");
     }
     if (port_ != nullptr && context_.ring(*port_).ellipse) {
       fail(Errc::invalid_argument, "from",

@@ -77,7 +77,7 @@ struct PartRules<"elbow"> {
                            "the legs from the corner are " + decimal(first, kMessageDigits) +
                                " and " + decimal(second, kMessageDigits) + " long");
     if (!(second >= kSmallest)) {
-      fail(context, "to", "the point must differ from the one at 'corner'");
+      fail(context, "to", "the point must be 1e-12 or more away from the one at 'corner'");
     }
     const Vec3 leaving = (elbow.to - elbow.corner).normalized();
     const double cosine = travel.dot(leaving);

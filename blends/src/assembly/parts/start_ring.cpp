@@ -33,7 +33,7 @@ Ring start_between(const PartContext& context, const Vec3& from, const Vec3& to,
   check_finite(context, from, "from");
   check_finite(context, to, "to");
   if (!((to - from).norm() >= kSmallest)) {
-    fail(context, "to", "the point must differ from the one at 'from'");
+    fail(context, "to", "the point must be 1e-12 or more away from the one at 'from'");
   }
   return start_ring(context, from, to - from, radius, axes, keys);
 }

@@ -1,5 +1,8 @@
 #include "assembly/parts/straight_run.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "assembly/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 #include "dupin/kernel/decimal.h"
@@ -31,13 +34,16 @@ RunAxis run_axis(const PartContext& context, const std::string& name, std::strin
   return {start.center, opposite(start.normal), (end.center - start.center).norm()};
 }
 
+// The length that a document gives its part is not that of its ends, whose coordinates are rounded.
 Vec3 point_on_run(const PartContext& context, const RunAxis& run, double at) {
-  if (!(at >= 0 && at <= run.length)) {
+  const double rounding =
+      4 * std::numeric_limits<double>::epsilon() * (run.from.cwiseAbs().sum() + run.length);
+  if (!(at >= 0 && at <= run.length + rounding)) {
     fail(context, "at",
-         "must be from 0 to the length of the part it is on, " +
-             decimal(run.length, kMessageDigits) + ", not " + decimal(at, kMessageDigits));
+         "must be from 0 to the length of the part it is on, " + decimal_at_least(run.length) +
+             ", not " + (at > 0 ? decimal_at_most(at) : decimal(at)));
   }
-  return run.from + at * run.direction;
+  return run.from + std::min(at, run.length) * run.direction;
 }
 
 }  // namespace dupin::assembly

@@ -93,12 +93,15 @@ TEST(CyclidePart, says_which_number_is_wrong) {
     spheres[index] = bad;
     return fault({ChainFree(), spheres, {}});
   };
-  const std::string positive = ": a sphere needs finite coordinates and a positive radius, not ";
+  const std::string positive = ": must be a positive number between 1e-12 and 1e12, not ",
+                    finite = ": coordinates must be finite numbers of at most 1e12";
   EXPECT_EQ(with(0, sphere(0, 0, 0, -1)), "spheres/0" + positive + "-1");
   EXPECT_EQ(with(2, sphere(4, 0, 0, 0)), "spheres/2" + positive + "0");
-  EXPECT_EQ(with(1, sphere(nan, 0, 0, 3)), "spheres/1" + positive + "3");
-  EXPECT_EQ(fault({ChainFree(), kGood, {}, -0.5}),
-            "wall: the wall's thickness must be positive, not -0.5");
+  EXPECT_EQ(with(2, sphere(4, 0, 0, 1e-13)), "spheres/2" + positive + "1e-13");
+  EXPECT_EQ(with(2, sphere(4, 0, 0, 2e12)), "spheres/2" + positive + "2e+12");
+  EXPECT_EQ(with(1, sphere(nan, 0, 0, 3)), "spheres/1" + finite);
+  EXPECT_EQ(with(1, sphere(1e300, 0, 0, 3)), "spheres/1" + finite);
+  EXPECT_EQ(fault({ChainFree(), kGood, {}, -0.5}), "wall" + positive + "-0.5");
   EXPECT_EQ(fault({ChainDirection{Vec3::Zero(), 0}, kGood, {}}),
             "direction: the direction must be finite and not zero");
   EXPECT_EQ(fault({ChainDirection{Vec3::UnitX(), nan}, kGood, {}}),

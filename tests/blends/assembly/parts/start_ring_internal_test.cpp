@@ -62,7 +62,7 @@ TEST(StartRing, says_which_number_is_wrong) {
   const std::pair<std::string, std::string> rows[] = {
       {between(bad, x, 1), "pipe/from: " + coordinates},
       {between(kZero, bad, 1), "pipe/to: " + coordinates},
-      {between(x, x, 1), "pipe/to: the point must differ from the one at 'from'"},
+      {between(x, x, 1), "pipe/to: the point must be 1e-12 or more away from the one at 'from'"},
       {between(kZero, x, 0), "pipe/radius: " + positive + "0"},
       {between(kZero, x, 0, SectionAxes{Vec3::UnitY(), 1}), "pipe/semi_axes/0: " + positive + "0"},
       {between(kZero, x, 1, SectionAxes{Vec3::UnitY(), -2}),
