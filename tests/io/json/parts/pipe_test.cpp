@@ -63,7 +63,8 @@ TEST(PipeKey, says_what_is_wrong_with_it) {
       {document(R"({"name": "a", "pipe": {"from": [0, 0, null], "to": [1, 0, 0], "radius": 1}})"),
        "d.json#/parts/0/pipe/from/2", "must be a number, not null"},
       {document(R"({"name": "p", "pipe": {"from": [1, 1, 0], "to": [1, 1, 0], "radius": 1}})"),
-       "d.json#/parts/0/pipe/to", "'p': the point must be 1e-12 or more away from the one at 'from'", kBad},
+       "d.json#/parts/0/pipe/to",
+       "'p': the point must be 1e-12 or more away from the one at 'from'", kBad},
       {document(
            R"({"name": "p", "pipe": {"from": [1, 1, 0], "direction": [0, 0, 0], "length": 1, "radius": 1}})"),
        "d.json#/parts/0/pipe/direction", "'p': the direction must not be zero", kBad},
