@@ -170,6 +170,12 @@ std::vector<TriMesh> coaxial(int pipes, double step) {
   return parts;
 }
 
+// Two pipes of so many sides beside each other that overlap, with flush ends.
+std::vector<TriMesh> flush(int sides) {
+  const auto n = static_cast<std::uint32_t>(sides);
+  return {pipe_z({0, 0, 0}, 10, 1, {n, 1}), pipe_z({0.7, 0, 0}, 10, 1, {n, 1, 0.3})};
+}
+
 // Equal parallel pipes in a square grid, each touching its neighbours along lines, exactly.
 std::vector<TriMesh> bundle(int pipes) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(pipes)));
@@ -342,7 +348,8 @@ const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>>& familie
       {"bundle", bundle},
       {"row", row},
       {"coaxial", [](int pipes) { return coaxial(pipes, 0.05); }},
-      {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }}};
+      {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }},
+      {"flush", flush}};
   return all;
 }
 

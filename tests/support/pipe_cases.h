@@ -13,8 +13,8 @@ namespace dupin::test {
 /// `star_K`, `star_general_K`, `coaxial_K` and `coaxial_flush_K` have K pipes through one point,
 /// about axes in a plane or in space, or about one axis; `bundle_K` has K parallel ones that touch,
 /// `row_K` K that do not; `rack_K` and `rack_eq_K` have K by K that cross; `header_K` and
-/// `header_coarse_K` have K branches; `tee_thousands_K` has about K thousand triangles. Throws
-/// std::out_of_range for other names.
+/// `header_coarse_K` have K branches; `tee_thousands_K` has about K thousand triangles; `flush_K`
+/// has two of K sides whose ends lie in one plane. Throws std::out_of_range for other names.
 [[nodiscard]] std::vector<TriMesh> pipe_case(std::string_view name);
 
 [[nodiscard]] std::vector<std::string> pipe_case_names();

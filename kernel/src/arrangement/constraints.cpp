@@ -72,8 +72,8 @@ void hand_ends(const TriangleIntersection& intersection, PointId from, PointId t
 // Hands intersections to the facets they lie in.
 class Distributor {
  public:
-  Distributor(const FlatFacets& facets, std::vector<std::uint8_t>& touched)
-      : facets_(facets), touched_(touched) {}
+  Distributor(const ArrangementInput& input, Constraints& result)
+      : input_(input), facets_(result.facets), sheets_(result.sheets), touched_(result.touched) {}
 
   void distribute(const TriangleIntersection& intersection, PointId from, PointId to) {
     const auto& [first, second, kind, coplanar, axis, ends] = intersection;
@@ -91,10 +91,8 @@ class Distributor {
     if (kind != TriangleIntersection::Kind::segment) {
       return;
     }
-    const bool divides_first =
-        facets_.is_inside(first, common_edge(ends[0].on_first, ends[1].on_first));
-    const bool divides_second =
-        facets_.is_inside(second, common_edge(ends[0].on_second, ends[1].on_second));
+    const bool divides_first = divides(first, common_edge(ends[0].on_first, ends[1].on_first));
+    const bool divides_second = divides(second, common_edge(ends[0].on_second, ends[1].on_second));
     if (from == kNone || to == kNone) {
       pieces.push_back(
           {facets_.of(first), facets_.of(second), {from, to}, divides_first, divides_second});
@@ -122,12 +120,19 @@ class Distributor {
       }
     }
   }
+  // A segment along an edge where nothing else divides, or along none.
+  [[nodiscard]] bool divides(std::uint32_t triangle, Feature along) const {
+    return facets_.is_inside(triangle, along) ||
+           (!sheets_.empty() && sheets_.at(edge_of(input_.triangles[triangle], along)) != nullptr);
+  }
   void divide(std::uint32_t triangle, std::uint32_t partner, PointId from, PointId to) {
     segments.push_back({facets_.of(triangle), from, to, facets_.of(partner)});
     touch(triangle);
   }
 
+  const ArrangementInput& input_;
   const FlatFacets& facets_;
+  const FlatSheets& sheets_;
   std::vector<std::uint8_t>& touched_;
 };
 
@@ -167,7 +172,7 @@ void distribute(const ArrangementInput& input, std::span<const TriangleIntersect
                 Constraints& result) {
   result.touched.assign(input.triangles.size(), 0);
   std::vector<Distributor> parts(support::block_count(intersections.size()),
-                                 Distributor(result.facets, result.touched));
+                                 Distributor(input, result));
   support::for_each_block(intersections.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       parts[block.number].distribute(intersections[i], representative(points.ends[2 * i]),
@@ -331,6 +336,7 @@ Constraints collect_constraints(ArrangementInput& input,
   Constraints result;
   IntersectionPoints points = create_intersection_points(input, intersections);
   result.facets = std::move(points.facets);
+  result.sheets = std::move(points.sheets);
   result.coincident_points.emplace(input.points, input.extent,
                                    input.points.size() - points.first_new_point);
   const Representatives representative(input, points, *result.coincident_points);

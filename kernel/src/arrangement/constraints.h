@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arrangement/flat_facets.h"
+#include "arrangement/flat_sheets.h"
 #include "arrangement/input.h"
 #include "arrangement/points/coincident_point_index.h"
 #include "arrangement/triangle_intersection.h"
@@ -40,6 +41,7 @@ struct Constraints {
   std::vector<std::uint32_t> alone;   ///< facets to retriangulate by themselves, ascending
   std::vector<std::uint8_t> touched;  ///< per triangle: part of a face
   FlatFacets facets;
+  FlatSheets sheets;
   /// Of all points that may coincide with new ones.
   std::optional<CoincidentPointIndex> coincident_points;
 

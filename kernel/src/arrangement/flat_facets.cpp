@@ -1,11 +1,9 @@
 #include "arrangement/flat_facets.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "arrangement/points/implicit_predicates.h"
 #include "support/blocks.h"
-#include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -42,14 +40,10 @@ std::uint32_t label_of(const ArrangementInput& input, std::uint32_t triangle) {
   return labels.empty() ? 0 : labels[triangle - input.first_triangle[operand]];
 }
 
+// No other triangle coincides with it.
 bool covers_alone(const ArrangementInput& input, std::uint32_t triangle) {
   return !input.merged[triangle] && !std::ranges::binary_search(input.duplicates, triangle, {},
                                                                 &ArrangementInput::Duplicate::kept);
-}
-
-bool are_doubles(const ArrangementInput& input, const Triangle& corners) {
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](PointId id) { return input.points.is_double(id); });
 }
 
 // Whether what is between them is longer than their other edges. At most one edge of a triangle is,
@@ -66,33 +60,33 @@ bool is_longest(const ArrangementInput& input, const FlatFacets::Corners& ring) 
 
 bool are_one(const ArrangementInput& input, const TrianglePair& pair) {
   const auto& [t, u] = pair;
-  const Triangle &first = input.triangles[t], &second = input.triangles[u];
-  const FlatFacets::Corners ring = joined(first, second);
-  if (!are_doubles(input, first) || !are_doubles(input, second) || !is_longest(input, ring) ||
-      side_of_plane(input.points, first[0], first[1], first[2], ring[2]) != 0) {
+  const FlatFacets::Corners ring = joined(input.triangles[t], input.triangles[u]);
+  if (!std::ranges::all_of(ring.all(), [&](PointId id) { return input.points.is_double(id); }) ||
+      !is_longest(input, ring) || !lie_in_one_plane(input, pair)) {
     return false;
   }
-  const Projection projection = projection_of(input.points, first);
-  for (const std::size_t i : {1U, 3U}) {
-    if (turn(input.points, ring[i - 1], ring[i], ring[ring.after(i)], projection.axis) !=
-        projection.orientation) {
-      return false;
-    }
-  }
-  return input.operand_of(t) == input.operand_of(u) && label_of(input, t) == label_of(input, u) &&
-         covers_alone(input, t) && covers_alone(input, u);
+  const Projection projection = projection_of(input.points, input.triangles[t]);
+  return std::ranges::all_of(std::array{1U, 3U}, [&](std::size_t i) {
+    return turn(input.points, ring[i - 1], ring[i], ring[ring.after(i)], projection.axis) ==
+           projection.orientation;
+  });
 }
 
 }  // namespace
 
-FlatFacets::FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> candidates) {
+bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair) {
+  const auto& [t, u] = pair;
+  const Triangle &first = input.triangles[t], &second = input.triangles[u];
+  return input.operand_of(t) == input.operand_of(u) && label_of(input, t) == label_of(input, u) &&
+         covers_alone(input, t) && covers_alone(input, u) &&
+         side_of_plane(input.points, first[0], first[1], first[2], second[apex(second, first)]) ==
+             0;
+}
+
+FlatFacets::FlatFacets(const ArrangementInput& input, const std::vector<TrianglePair>& candidates) {
   if (std::ranges::any_of(input.operand_pairs, [](const auto& p) { return p[0] == p[1]; })) {
     return;
   }
-  support::sort_by_key(
-      candidates, static_cast<std::uint32_t>(input.triangles.size()),
-      [](const TrianglePair& pair) { return pair.first; }, std::less<>());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   const std::vector<std::uint32_t> facets = support::indices_where(
       candidates.size(),
       [&](std::size_t i) {

@@ -13,6 +13,10 @@
 
 namespace dupin::arrangement {
 
+/// Whether two triangles with a common edge lie in one plane, are of one operand and under one
+/// label, and coincide with no others.
+[[nodiscard]] bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair);
+
 /// Triangles and quadrilaterals that are divided as one: two triangles of an operand on both sides
 /// of an edge that is longer than all others of both, in one plane and under one label, make a
 /// strictly convex facet. Nothing has to be cut where others cross the edge between them: the plane
@@ -40,7 +44,7 @@ class FlatFacets {
   FlatFacets() = default;
   /// Of the candidates, two triangles at an edge of no others, those that are one facet. None if
   /// operands may cross themselves.
-  FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> candidates);
+  FlatFacets(const ArrangementInput& input, const std::vector<TrianglePair>& candidates);
 
   [[nodiscard]] bool empty() const { return mates_.empty(); }
   /// The triangle that stands for the facet that this one is part of.

@@ -224,9 +224,18 @@ class Creator {
     return std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
   }
 
-  // The two triangles at an edge that is met there, unless they are others.
-  void find_candidate(std::span<const MeetingAt> run, EdgeKey edge,
-                      std::vector<TrianglePair>& found) const {
+  // Two triangles at an edge that is met, by others in their plane somewhere.
+  struct Candidate {
+    TrianglePair pair;
+    bool in_plane;
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return a.pair != b.pair ? a.pair < b.pair : a.in_plane > b.in_plane;
+    }
+  };
+
+  // Of an edge that is met there; none if it has others.
+  [[nodiscard]] std::optional<TrianglePair> pair_at(std::span<const MeetingAt> run,
+                                                    EdgeKey edge) const {
     std::array<std::uint32_t, 2> triangles{kNone, kNone};
     for (const MeetingAt& m : run) {
       const TriangleIntersection& e = intersection(m.end);
@@ -238,34 +247,60 @@ class Creator {
           continue;
         }
         if (triangles[1] != kNone) {
-          return;
+          return std::nullopt;
         }
         triangles[triangles[0] == kNone ? 0 : 1] = triangle;
       }
     }
-    if (triangles[1] != kNone) {
-      const auto [t, u] = std::minmax(triangles[0], triangles[1]);
-      found.push_back({t, u});
-    }
+    const auto [t, u] = std::minmax(triangles[0], triangles[1]);
+    return u != kNone ? std::optional(TrianglePair{t, u}) : std::nullopt;
   }
 
-  void find_facets() {
-    std::vector<TrianglePair> candidates = support::collect_in_order<TrianglePair>(
-        runs_.size(), [&](std::size_t r, std::vector<TrianglePair>& found) {
+  // Whether edges of triangles that all lie in one plane meet there.
+  [[nodiscard]] bool is_crossing_in_plane(std::span<const MeetingAt> run) const {
+    const Meeting& meeting = run.front().meeting;
+    return ((meeting.first | meeting.second) & Meeting::kPlane) == 0 &&
+           std::ranges::all_of(run,
+                               [this](const MeetingAt& m) { return intersection(m.end).coplanar; });
+  }
+
+  // Ascending, each once.
+  [[nodiscard]] std::vector<Candidate> find_candidates() {
+    in_plane_.assign(runs_.size(), 0);
+    std::vector<Candidate> candidates = support::collect_in_order<Candidate>(
+        runs_.size(), [&](std::size_t r, std::vector<Candidate>& found) {
+          in_plane_[r] = is_crossing_in_plane(run(r)) ? 1 : 0;
           const Meeting& meeting = run(r).front().meeting;
           for (const EdgeKey edge : {meeting.first, meeting.second}) {
-            if ((edge & Meeting::kPlane) == 0) {
-              find_candidate(run(r), edge, found);
+            if (const auto pair =
+                    (edge & Meeting::kPlane) == 0 ? pair_at(run(r), edge) : std::nullopt) {
+              found.push_back({*pair, in_plane_[r] != 0});
             }
           }
         });
-    points_.facets = FlatFacets(input_, std::move(candidates));
-    if (points_.facets.empty()) {
-      return;
+    support::sort_by_key(
+        candidates, static_cast<std::uint32_t>(input_.triangles.size()),
+        [](const Candidate& c) { return c.pair.first; }, std::less<>());
+    candidates.erase(
+        std::unique(candidates.begin(), candidates.end(),
+                    [](const Candidate& a, const Candidate& b) { return a.pair == b.pair; }),
+        candidates.end());
+    return candidates;
+  }
+
+  void find_facets() {
+    std::vector<TrianglePair> all, in_plane;
+    for (const Candidate& candidate : find_candidates()) {
+      all.push_back(candidate.pair);
+      if (candidate.in_plane) {
+        in_plane.push_back(candidate.pair);
+      }
     }
+    points_.facets = FlatFacets(input_, all);
+    points_.sheets = FlatSheets(input_, in_plane);
     support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        if (std::ranges::all_of(run(r), [this](const MeetingAt& m) { return is_joint(m.end); })) {
+        if (is_inside_facets(r) || is_inside_sheets(r)) {
           for (const MeetingAt& m : run(r)) {
             leader_[m.end] = kNone;
           }
@@ -274,8 +309,16 @@ class Creator {
     });
   }
 
-  [[nodiscard]] bool is_joint(std::size_t end) const {
-    return points_.facets.is_joint(intersection(end), end % 2);
+  [[nodiscard]] bool is_inside_facets(std::size_t r) const {
+    return !points_.facets.empty() && std::ranges::all_of(run(r), [this](const MeetingAt& m) {
+      return points_.facets.is_joint(intersection(m.end), m.end % 2);
+    });
+  }
+
+  [[nodiscard]] bool is_inside_sheets(std::size_t r) const {
+    const auto& [first, second] = run(r).front().meeting;
+    return in_plane_[r] != 0 && points_.sheets.at(first) != nullptr &&
+           points_.sheets.at(second) != nullptr;
   }
 
   void find_lines() {
@@ -337,6 +380,7 @@ class Creator {
   IntersectionPoints points_;
   support::BulkVector<MeetingAt> meetings_;
   std::vector<support::IndexRange> runs_;      // of equal ones
+  std::vector<std::uint8_t> in_plane_;         // per run
   support::BulkVector<std::uint32_t> leader_;  // of each end
 };
 

@@ -5,6 +5,7 @@
 
 #include "kernel/arrangement/stages_internal.h"
 #include "kernel/exact_validity_internal.h"
+#include "support/tiled_boxes.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -69,6 +70,23 @@ TEST(ArrangementLaws, hold_for_random_pairs_on_a_coarse_grid) {
   }
 }
 
+void expect_inclusion_and_exclusion(const std::vector<Solid>& solids) {
+  mpq_class signed_sum = 0;
+  for (unsigned subset = 1; subset < 1u << solids.size(); ++subset) {
+    std::vector<Solid> some;
+    for (unsigned i = 0; i < solids.size(); ++i) {
+      if ((subset >> i & 1u) != 0) {
+        some.push_back(solids[i]);
+      }
+    }
+    const mpq_class volume = arranged(some, intersection_rule(some.size())).exact_volume();
+    signed_sum += some.size() % 2 == 1 ? volume : mpq_class(-volume);
+  }
+  const Solid united = arranged(solids, union_rule(solids.size()));
+  expect_valid(united);
+  EXPECT_EQ(united.exact_volume(), signed_sum);
+}
+
 TEST(ArrangementLaws, inclusion_and_exclusion_of_five_random_solids) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
@@ -77,20 +95,42 @@ TEST(ArrangementLaws, inclusion_and_exclusion_of_five_random_solids) {
     for (int i = 0; i < 5; ++i) {
       solids.push_back(random_solid(random));
     }
-    mpq_class signed_sum = 0;
-    for (unsigned subset = 1; subset < 32; ++subset) {
-      std::vector<Solid> some;
-      for (unsigned i = 0; i < 5; ++i) {
-        if ((subset >> i & 1u) != 0) {
-          some.push_back(solids[i]);
-        }
-      }
-      const mpq_class volume = arranged(some, intersection_rule(some.size())).exact_volume();
-      signed_sum += some.size() % 2 == 1 ? volume : mpq_class(-volume);
+    expect_inclusion_and_exclusion(solids);
+  }
+}
+
+// Sides in one plane, of many triangles: edges inside of them cross each other, and those of the
+// sides, run along them, and are crossed by what stands on them; with solids that have no such
+// sides.
+TEST(ArrangementLaws, inclusion_and_exclusion_of_solids_with_tiled_sides) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(2000 + seed);
+    std::vector<Solid> solids;
+    for (int i = 0; i < 4; ++i) {
+      solids.push_back(seed % 3 == 0 && i == 3 ? random_solid(random)
+                                               : Solid::from(test::random_tiled_box(random)));
     }
-    const Solid united = arranged(solids, union_rule(5));
+    expect_inclusion_and_exclusion(solids);
+  }
+}
+
+TEST(ArrangementLaws, hold_for_pairs_with_tiled_sides) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(3000 + seed);
+    const Solid a = Solid::from(test::random_tiled_box(random, 8)),
+                b = Solid::from(test::random_tiled_box(random, 8));
+    const Solid united = arranged({a, b}, union_rule(2));
+    const Solid difference = arranged({a, b}, difference_rule(2));
     expect_valid(united);
-    EXPECT_EQ(united.exact_volume(), signed_sum);
+    expect_valid(difference);
+    const mpq_class common = arranged({a, b}, intersection_rule(2)).exact_volume();
+    EXPECT_EQ(united.exact_volume() + common, a.exact_volume() + b.exact_volume());
+    EXPECT_EQ(difference.exact_volume() + common, a.exact_volume());
+    const Solid again = arranged({difference, b}, union_rule(2));
+    expect_valid(again);
+    EXPECT_EQ(again.exact_volume(), united.exact_volume());
   }
 }
 

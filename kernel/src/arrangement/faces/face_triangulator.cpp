@@ -4,6 +4,7 @@
 
 #include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
+#include "support/disjoint_sets.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -198,8 +199,42 @@ void FaceTriangulator::insert_remaining() {
   }
 }
 
+// Where the facet of a triangle is among the members, or their number.
+std::uint32_t FaceTriangulator::member_index(std::uint32_t triangle) const {
+  const std::uint32_t facet = constraints_.facets.of(triangle);
+  const auto at = std::ranges::lower_bound(members_, facet);
+  return static_cast<std::uint32_t>((at != members_.end() && *at == facet ? at : members_.end()) -
+                                    members_.begin());
+}
+
+// Whether no member is divided along the edge: both triangles at it are here.
+bool FaceTriangulator::is_inside_sheet(EdgeKey edge) const {
+  const TrianglePair* sides = constraints_.sheets.at(edge);
+  return sides != nullptr && member_index(sides->first) < members_.size() &&
+         member_index(sides->second) < members_.size();
+}
+
+void FaceTriangulator::find_sheets() {
+  support::DisjointSets sheets(members_.size());
+  for (std::size_t m = 0; !constraints_.sheets.empty() && m < members_.size(); ++m) {
+    const FlatFacets::Corners& corners = incidences_of_[m].corners;
+    for (std::size_t i = 0; i < corners.count; ++i) {
+      const EdgeKey edge = edge_key(corners[i], corners[corners.after(i)]);
+      if (is_inside_sheet(edge)) {
+        const auto& [first, second] = *constraints_.sheets.at(edge);
+        sheets.unite(member_index(first), member_index(second));
+      }
+    }
+  }
+  sheet_of_.resize(members_.size());
+  for (std::uint32_t m = 0; m < members_.size(); ++m) {
+    sheet_of_[m] = members_[sheets.find(m)];
+  }
+}
+
 // Several triangles: a triangle around them all, and their edges as constraints.
 void FaceTriangulator::start_from_frame() {
+  find_sheets();
   triangulation_.start_around(ids_);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     for (const PointId id : incidences_of_[m].corners.all()) {
@@ -221,7 +256,10 @@ void FaceTriangulator::constrain_edges(std::size_t member) {
   const FlatFacets::Corners& corners = incidences_of_[member].corners;
   for (std::size_t i = 0; i < corners.count; ++i) {
     const EdgeKey key = edge_key(corners[i], corners[corners.after(i)]);
-    slots_.push_back({kNone, {members_[member]}});
+    if (is_inside_sheet(key)) {
+      continue;
+    }
+    slots_.push_back({kNone, {sheet_of_[member]}});
     const std::uint32_t slot = last_slot();
     PointId from = lower_end(key);
     for (const auto& p : incidences_of_[member].on_edges[i]) {

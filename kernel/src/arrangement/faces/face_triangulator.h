@@ -35,8 +35,9 @@ class FaceTriangulator {
 
  private:
   struct Slot {
-    std::uint32_t partner;                ///< a triangle whose plane holds the line, or kNone
-    std::vector<std::uint32_t> bounding;  ///< members of which it is an edge
+    std::uint32_t partner;  ///< a triangle whose plane holds the line, or kNone
+    std::vector<std::uint32_t>
+        bounding;  ///< members, of sheets the first ones, that it is an edge of
   };
   struct MemberIncidences {
     FlatFacets::Corners corners;
@@ -60,6 +61,9 @@ class FaceTriangulator {
   void collect_lines();
   [[nodiscard]] Lines line_in_plane_of(std::uint32_t partner, Lines& next);
   void insert(PointId id);
+  void find_sheets();
+  [[nodiscard]] std::uint32_t member_index(std::uint32_t triangle) const;
+  [[nodiscard]] bool is_inside_sheet(EdgeKey edge) const;
   void start_from_facet();
   void start_from_frame();
   void insert_remaining();
@@ -84,6 +88,7 @@ class FaceTriangulator {
   // Of the present face:
   std::span<const std::uint32_t> members_;
   std::vector<MemberIncidences> incidences_of_;  // of each member
+  std::vector<std::uint32_t> sheet_of_;          // of each member the first one of its sheet
   Projection projection_;
   std::vector<Slot> slots_;
   std::vector<PointId> ids_;
