@@ -12,6 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
@@ -47,6 +50,22 @@ void check_options(const RemeshOptions& options) {
   }
   if (options.most_points == 0) {
     refuse("the largest number of points must be positive");
+  }
+}
+
+/// Below that, the generator refines what its own rounding makes, and has no end: measured of
+/// cubes, turned and at any place, from an eighth of it down.
+void require_distance_of_doubles(const GivenSolid& given) {
+  constexpr double kLeast = 0x1p-32;  // of the diagonal
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : given.mesh().points) {
+    box.extend(point);
+  }
+  const double least = kLeast * box.diagonal().norm(), distance = given.options().distance;
+  if (distance < least) {
+    throw Error(Errc::invalid_argument,
+                "the distance of a mesh for solvers must be at least " + decimal_at_most(least) +
+                    " for a solid of this size, not " + decimal(distance, kMessageDigits));
   }
 }
 
@@ -196,6 +215,7 @@ SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bo
     throw Error(Errc::contact, text.str());
   }
   const GivenSolid given(solid, options);
+  require_distance_of_doubles(given);
   require_few_points(given);
   return fill ? Maker(given).run() : make_surface_mesh(given);
 }

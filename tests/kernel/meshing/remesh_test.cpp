@@ -172,13 +172,13 @@ TEST(Remesh, can_be_cancelled) {
 }
 
 TEST(Remesh, names_the_place_where_curves_ask_for_too_many_points) {
-  // Two labels whose borders run 1e-9 apart.
+  // Two labels whose borders run close to each other.
   TriMesh mesh = box(Vec3::Zero(), Vec3(1, 1, 1));
   const Solid strip =
       unite(std::vector{Solid::from(labelled(mesh, "a")),
-                        Solid::from(labelled(box(Vec3(0, 0, 1), Vec3(1, 1, 1 + 0x1p-40)), "b"))});
-  expect_refused(strip, {.distance = 0x1p-45, .largest_edge = 0.5, .most_points = 5000},
-                 Errc::limit_exceeded, {"come within 9.09495e-13 of each other near "});
+                        Solid::from(labelled(box(Vec3(0, 0, 1), Vec3(1, 1, 1 + 0x1p-28)), "b"))});
+  expect_refused(strip, {.distance = 0x1p-31, .largest_edge = 0.5, .most_points = 5000},
+                 Errc::limit_exceeded, {"come within 3.72529e-09 of each other near "});
 }
 
 // Without trying for minutes, and with the reason.
@@ -196,6 +196,24 @@ TEST(Remesh, takes_lengths_that_are_larger_than_the_solid) {
     EXPECT_EQ(remesh(solid, {.distance = 0.01, .largest_edge = length}).solid.euler_number(), 2);
     EXPECT_EQ(remesh(solid, {.distance = length}).solid.euler_number(), 2);
     EXPECT_FALSE(fill(solid, {.distance = 0.01, .largest_edge = length}).mesh.tetrahedra.empty());
+  }
+}
+
+// The least distance that is named does; below it the generator would refine its own rounding.
+TEST(Remesh, refuses_a_distance_that_doubles_do_not_tell) {
+  for (const double size : {1., 1e12, 1e-9}) {
+    const Solid solid = Solid::from(box(size * Vec3(1000, 0, 3), size * Vec3(1001, 1, 4)));
+    for (const double share : {1e-12, 1e-11, 1e-30}) {
+      try {
+        (void)remesh(solid, {.distance = share * size});
+        ADD_FAILURE();
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::invalid_argument);
+        const std::string said = error.what(), begin = "must be at least ";
+        const double least = std::stod(said.substr(said.find(begin) + begin.size()));
+        EXPECT_EQ(remesh(solid, {.distance = least}).solid.euler_number(), 2) << said;
+      }
+    }
   }
 }
 
