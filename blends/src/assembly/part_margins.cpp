@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -67,17 +69,35 @@ PartMargins margins(const PartSurface& surface, bool with_tangency) {
   return std::visit(Margins{with_tangency}, surface);
 }
 
+namespace {
+
+// Of a torus segment that does not cross itself: what lies nearest to itself, about the axis or
+// where more than half a turn comes round to where it began.
+std::string what_is_near(const RingedSurface& torus) {
+  const auto& arc = std::get<ArcSpine>(torus.spine);
+  const double to_axis =
+      (arc.start - arc.center).norm() - std::get<ConstantRadius>(torus.radius).radius;
+  const double open = std::max(2 * std::numbers::pi - arc.angle, 0.0);
+  const double between_ends = 2 * std::sin(std::min(open, std::numbers::pi) / 2) * to_axis;
+  return between_ends < to_axis
+             ? "its ends come within " + decimal_at_most(between_ends) +
+                   " of each other, too near for this tolerance; use a smaller angle, or a smaller "
+                   "tolerance"
+             : "it comes within " + decimal_at_most(to_axis) +
+                   " of its axis, too near for these coordinates; use a larger bend radius";
+}
+
+}  // namespace
+
 void refuse_mesh(const PartSurface& surface, const Error& reason) {
   const auto* chain = std::get_if<Chain>(&surface);
   const auto* torus = chain != nullptr && chain->pieces.size() == 1
                           ? std::get_if<RingedSurface>(&chain->pieces.front())
                           : nullptr;
-  const bool is_embedded = torus != nullptr && surfaces::is_embedded_torus(*torus);
-  throw Error(
-      Errc::irregular_surface,
-      "the part's mesh is no solid: " + reason.message() +
-          (is_embedded ? "; the surface does not cross itself, but is too close to its axis "
-                         "for these coordinates; use a larger bend radius"
+  throw Error(Errc::irregular_surface,
+              "the part's mesh is no solid: " + reason.message() +
+                  (torus != nullptr && surfaces::is_embedded_torus(*torus)
+                       ? "; the surface does not cross itself, but " + what_is_near(*torus)
                        : "; whether the surface crosses itself, or only comes too close, is "
                          "undecided, and 'certify' may tell; choose a smaller tolerance, or "
                          "other ends, end speeds or radii"));

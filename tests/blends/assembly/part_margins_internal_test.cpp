@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 #include <regex>
 #include <string>
 #include <vector>
@@ -114,6 +115,19 @@ TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
     }
   };
   EXPECT_NE(refusal(bend(0, 1)).find("the surface does not cross itself"), std::string::npos);
+  const auto torus = [](double angle, double radius) {
+    return RingedSurface{{},
+                         {},
+                         ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(1, 0, 0), angle},
+                         ConstantRadius{radius}};
+  };
+  EXPECT_NE(refusal(torus(1, 1 - 1e-9)).find("within 1e-09 of its axis, too near for these coord"),
+            std::string::npos);
+  EXPECT_NE(refusal(torus(5, 1 - 1e-9)).find("within 1e-09 of its axis, too near for these coord"),
+            std::string::npos);
+  EXPECT_NE(refusal(torus(2 * std::numbers::pi - 1e-6, .5))
+                .find("its ends come within 5.00001e-07 of each other, too near for this toler"),
+            std::string::npos);
   EXPECT_NE(refusal(bend(0, 3)).find("is undecided"), std::string::npos);
   EXPECT_NE(refusal(Chain(std::vector{bend(0, 1), bend(1, 1)})).find("is undecided"),
             std::string::npos);
