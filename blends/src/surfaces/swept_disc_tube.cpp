@@ -16,6 +16,9 @@ namespace {
 
 using Mpfi = numbers::MpfiInterval<128>;
 
+// Of a checker: what is said to be proved is so with a little more room than that takes.
+constexpr double kRounding = 0x1p-40;
+
 // Arcs turn by less than a half turn per rational quadratic; more is put together.
 constexpr double kLargestHalfTurn = 1.5;
 
@@ -198,7 +201,6 @@ double SweptDiscTube::turning(const ParameterInterval& t) const {
   return sum.upper;
 }
 
-// What is proven is a little more than enough, for a checker's own rounding.
 struct SweptDiscTube::ArcRoom {
   double angle;  ///< by which the whole arc turns
   double least;  ///< how far the discs stay from the axis, by its distance
@@ -209,25 +211,22 @@ std::optional<SweptDiscTube::ArcRoom> SweptDiscTube::room_on_arc(const Parameter
   if (arc == nullptr) {
     return std::nullopt;
   }
-  constexpr double kRounding = 0x1p-40;
   const double distance = (arc->start - arc->center).norm();
   const double least = 1 - radius(t).magnitude() / distance - kRounding;
   return least > 0 ? std::optional(ArcRoom{arc->angle, least}) : std::nullopt;
 }
 
 bool SweptDiscTube::stays_on_one_side(const ParameterInterval& t) const {
-  constexpr double kRounding = 0x1p-40;
   if (const auto* line = std::get_if<LineSpine>(&spine_)) {
     return line->from != line->to;
   }
   const auto room = room_on_arc(t);
-  return (room && room->angle * (t.to - t.from) < std::numbers::pi &&
-          std::cos(room->angle * (t.to - t.from) / 2) * room->least > kRounding);
+  const double half = room ? room->angle * (t.to - t.from) / 2 : 0;
+  return room && half < std::numbers::pi / 2 && std::cos(half) * room->least > kRounding;
 }
 
 bool SweptDiscTube::turns_little(const ParameterInterval& t, double margin) const {
-  // A little less than proven to be enough, for a checker's own rounding.
-  constexpr double kSlack = 1 - 0x1p-40;
+  constexpr double kSlack = 1 - kRounding;
   if (const auto room = room_on_arc(t); room && room->angle < 2 * std::numbers::pi * kSlack) {
     return true;
   }
