@@ -298,6 +298,9 @@ class Creator {
     }
     points_.facets = FlatFacets(input_, all);
     points_.sheets = FlatSheets(input_, in_plane);
+    if (points_.facets.empty() && points_.sheets.empty()) {
+      return;
+    }
     support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
         if (is_inside_facets(r) || is_inside_sheets(r)) {

@@ -36,8 +36,8 @@ class FaceTriangulator {
  private:
   struct Slot {
     std::uint32_t partner;  ///< a triangle whose plane holds the line, or kNone
-    std::vector<std::uint32_t>
-        bounding;  ///< members, of sheets the first ones, that it is an edge of
+    /// Members of which it is an edge; for those of a sheet, its first one.
+    std::vector<std::uint32_t> bounding;
   };
   struct MemberIncidences {
     FlatFacets::Corners corners;
