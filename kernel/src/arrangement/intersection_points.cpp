@@ -303,7 +303,7 @@ class Creator {
     }
     support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        if (is_inside_facets(r) || is_inside_sheets(r)) {
+        if (is_inside_sheets(r) || is_inside_facets(r)) {
           for (const MeetingAt& m : run(r)) {
             leader_[m.end] = kNone;
           }
