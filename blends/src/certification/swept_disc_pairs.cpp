@@ -184,10 +184,6 @@ EmbeddedClaim prove_pieces_embedded(const SweptDiscs& sweep, std::size_t boxes,
   return claim;
 }
 
-}  // namespace
-
-namespace {
-
 // Stretches before and behind a joint whose discs are on different sides of that of the joint.
 bool stay_apart(const SweptDiscs& first, const ParameterInterval& t, const SweptDiscs& second,
                 const ParameterInterval& s) {
@@ -203,13 +199,13 @@ bool is_short_way(const SweptDiscs& sweep, const Pair& pair, double longest_way)
          (size(all) <= longest_way && sweep.append_way(all, way) && advances(way));
 }
 
-// The same, from the end to the start of a closed part.
-bool is_short_way_around(const SweptDiscs& sweep, const Pair& pair, double longest_way) {
-  const ParameterInterval to_end{pair.second.from, sweep.length()}, on{0, pair.first.to};
+// The same, by a way of two stretches that meet in a joint.
+bool is_short_way(const SweptDiscs& first, const ParameterInterval& t, const SweptDiscs& second,
+                  const ParameterInterval& s, double longest_way) {
   std::vector<DiscPace> way;
-  return stay_apart(sweep, to_end, sweep, on) ||
-         (size(to_end) + size(on) <= longest_way && sweep.append_way(to_end, way) &&
-          sweep.append_way(on, way) && advances(way));
+  return stay_apart(first, t, second, s) ||
+         (size(t) + size(s) <= longest_way && first.append_way(t, way) &&
+          second.append_way(s, way) && advances(way));
 }
 
 }  // namespace
@@ -230,7 +226,8 @@ EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t
   const auto is_short = [&](const Pair& pair) {
     return sweep.turns_little({pair.first.from, pair.second.to}, margin) ||
            is_short_way(sweep, pair, longest_way) ||
-           (sweep.closed() && is_short_way_around(sweep, pair, longest_way));
+           (sweep.closed() && is_short_way(sweep, {pair.second.from, sweep.length()}, sweep,
+                                           {0, pair.first.to}, longest_way));
   };
   auto leaves = leaves_of(sweep, sweep, std::move(stack), is_short, boxes);
   if (leaves) {
@@ -259,11 +256,8 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
     return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
       const auto one = to_joint(first, pair.first, joint.first);
       const auto other = to_joint(second, pair.second, joint.second);
-      std::vector<DiscPace> way;
       return !first.touches_knee(one) && !second.touches_knee(other) &&
-             (stay_apart(first, one, second, other) ||
-              (size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
-               second.append_way(other, way) && advances(way)));
+             is_short_way(first, one, second, other, kLongestWay);
     });
   };
   auto leaves = leaves_of(first, second, std::move(stack), is_short, boxes);

@@ -29,11 +29,6 @@ Feature edge_between(const Triangle& first, const Triangle& second) {
   return edge_feature((static_cast<int>(apex(first, second)) + 1) % 3);
 }
 
-FlatFacets::Corners joined(const Triangle& first, const Triangle& second) {
-  const std::size_t k = apex(first, second);
-  return {{first[k], first[(k + 1) % 3], second[apex(second, first)], first[(k + 2) % 3]}, 4};
-}
-
 std::uint32_t label_of(const ArrangementInput& input, std::uint32_t triangle) {
   const std::uint32_t operand = input.operand_of(triangle);
   const std::vector<std::uint32_t>& labels = input.operands[operand]->labels;
@@ -74,6 +69,11 @@ bool are_one(const ArrangementInput& input, const TrianglePair& pair) {
 
 }  // namespace
 
+FlatFacets::Corners joined(const Triangle& first, const Triangle& second) {
+  const std::size_t k = apex(first, second);
+  return {{first[k], first[(k + 1) % 3], second[apex(second, first)], first[(k + 2) % 3]}, 4};
+}
+
 bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair) {
   const auto& [t, u] = pair;
   const Triangle &first = input.triangles[t], &second = input.triangles[u];
@@ -84,9 +84,6 @@ bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair) {
 }
 
 FlatFacets::FlatFacets(const ArrangementInput& input, const std::vector<TrianglePair>& candidates) {
-  if (std::ranges::any_of(input.operand_pairs, [](const auto& p) { return p[0] == p[1]; })) {
-    return;
-  }
   const std::vector<std::uint32_t> facets = support::indices_where(
       candidates.size(),
       [&](std::size_t i) {

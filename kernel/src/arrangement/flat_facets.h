@@ -13,10 +13,6 @@
 
 namespace dupin::arrangement {
 
-/// Whether two triangles with a common edge lie in one plane, are of one operand and under one
-/// label, and coincide with no others.
-[[nodiscard]] bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair);
-
 /// Triangles and quadrilaterals that are divided as one: two triangles of an operand on both sides
 /// of an edge that is longer than all others of both, in one plane and under one label, make a
 /// strictly convex facet. Nothing has to be cut where others cross the edge between them: the plane
@@ -42,8 +38,8 @@ class FlatFacets {
 
   /// Every triangle is a facet.
   FlatFacets() = default;
-  /// Of the candidates, two triangles at an edge of no others, those that are one facet. None if
-  /// operands may cross themselves.
+  /// Of the candidates, two triangles at an edge of no others, those that are one facet. Operands
+  /// do not cross themselves.
   FlatFacets(const ArrangementInput& input, const std::vector<TrianglePair>& candidates);
 
   [[nodiscard]] bool empty() const { return mates_.empty(); }
@@ -75,5 +71,12 @@ class FlatFacets {
   };
   support::BulkVector<Mate> mates_;  // per triangle, or empty if there are none
 };
+
+/// Two triangles with a common edge as a quadrilateral, whose corners 1 and 3 are the edge's ends.
+[[nodiscard]] FlatFacets::Corners joined(const Triangle& first, const Triangle& second);
+
+/// Whether two triangles with a common edge lie in one plane, are of one operand and under one
+/// label, and coincide with no others.
+[[nodiscard]] bool lie_in_one_plane(const ArrangementInput& input, const TrianglePair& pair);
 
 }  // namespace dupin::arrangement

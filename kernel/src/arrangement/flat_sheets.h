@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +21,7 @@ class FlatSheets {
  public:
   FlatSheets() = default;
   /// Of the candidates, two triangles at an edge of no others where it crosses an edge of another
-  /// operand in their plane, those with the edge inside. None if operands may cross themselves.
+  /// operand in their plane, those with the edge inside. Operands do not cross themselves.
   FlatSheets(const ArrangementInput& input, const std::vector<TrianglePair>& candidates);
 
   [[nodiscard]] bool empty() const { return edges_.empty(); }

@@ -288,7 +288,11 @@ class Creator {
     return candidates;
   }
 
+  // None if operands may cross themselves.
   void find_facets() {
+    if (std::ranges::any_of(input_.operand_pairs, [](const auto& p) { return p[0] == p[1]; })) {
+      return;
+    }
     std::vector<TrianglePair> all, in_plane;
     for (const Candidate& candidate : find_candidates()) {
       all.push_back(candidate.pair);

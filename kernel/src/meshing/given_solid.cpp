@@ -55,7 +55,8 @@ GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
       surface_(mesh_.points, mesh_.triangles, features_.regions),
       region_count_(1 + *std::ranges::max_element(features_.regions)) {
   const Eigen::AlignedBox3d box = box_of(mesh_);
-  largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : box.diagonal().norm() / 10;
+  diagonal_ = box.diagonal().norm();
+  largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : diagonal_ / 10;
   // Covers the rounding of a distance, and of cuts, tenfold.
   slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
 }

@@ -28,6 +28,8 @@ class GivenSolid {
   [[nodiscard]] const ReferenceSurface& surface() const { return surface_; }
   [[nodiscard]] std::uint32_t region_count() const { return region_count_; }
   [[nodiscard]] double largest_edge() const { return largest_edge_; }
+  /// Of its box.
+  [[nodiscard]] double diagonal() const { return diagonal_; }
   [[nodiscard]] double area() const;
   /// More than what rounding makes distances too small by.
   [[nodiscard]] double slack() const { return slack_; }
@@ -63,7 +65,7 @@ class GivenSolid {
   Features features_;
   ReferenceSurface surface_;
   std::uint32_t region_count_ = 0;
-  double largest_edge_ = 0, slack_ = 0;
+  double diagonal_ = 0, largest_edge_ = 0, slack_ = 0;
 };
 
 }  // namespace dupin::meshing

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "meshing/angle_improvement.h"
@@ -57,11 +55,7 @@ void check_options(const RemeshOptions& options) {
 /// cubes, turned and at any place, from an eighth of it down.
 void require_distance_of_doubles(const GivenSolid& given) {
   constexpr double kLeast = 0x1p-32;  // of the diagonal
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : given.mesh().points) {
-    box.extend(point);
-  }
-  const double least = kLeast * box.diagonal().norm(), distance = given.options().distance;
+  const double least = kLeast * given.diagonal(), distance = given.options().distance;
   if (distance < least) {
     throw Error(Errc::invalid_argument,
                 "the distance of a mesh for solvers must be at least " + decimal_at_most(least) +

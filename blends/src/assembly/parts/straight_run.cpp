@@ -34,7 +34,8 @@ RunAxis run_axis(const PartContext& context, const std::string& name, std::strin
   return {start.center, opposite(start.normal), (end.center - start.center).norm()};
 }
 
-// The length that a document gives its part is not that of its ends, whose coordinates are rounded.
+// The length that a document gives its part is not that of its ends: each of their coordinates, and
+// the way between them, is rounded by half an epsilon of its size, and so is what is found here.
 Vec3 point_on_run(const PartContext& context, const RunAxis& run, double at) {
   const double rounding =
       4 * std::numeric_limits<double>::epsilon() * (run.from.cwiseAbs().sum() + run.length);

@@ -4,6 +4,7 @@
 
 #include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
+#include "dupin/kernel/error.h"
 #include "support/disjoint_sets.h"
 
 namespace dupin::arrangement {
@@ -199,30 +200,28 @@ void FaceTriangulator::insert_remaining() {
   }
 }
 
-// Where the facet of a triangle is among the members, or their number.
-std::uint32_t FaceTriangulator::member_index(std::uint32_t triangle) const {
+std::uint32_t FaceTriangulator::member_of(std::uint32_t triangle) const {
   const std::uint32_t facet = constraints_.facets.of(triangle);
   const auto at = std::ranges::lower_bound(members_, facet);
-  return static_cast<std::uint32_t>((at != members_.end() && *at == facet ? at : members_.end()) -
-                                    members_.begin());
+  if (at == members_.end() || *at != facet) {
+    throw Error(Errc::internal, "internal error, please report it: half of a flat sheet");
+  }
+  return static_cast<std::uint32_t>(at - members_.begin());
 }
 
-// Whether no member is divided along the edge: both triangles at it are here.
-bool FaceTriangulator::is_inside_sheet(EdgeKey edge) const {
-  const TrianglePair* sides = constraints_.sheets.at(edge);
-  return sides != nullptr && member_index(sides->first) < members_.size() &&
-         member_index(sides->second) < members_.size();
+// The two triangles at a side of a member if no member is divided along it. Both are here, see
+// FlatSheets.
+const TrianglePair* FaceTriangulator::inner_side(std::size_t member, std::size_t side) const {
+  const FlatFacets::Corners& corners = incidences_of_[member].corners;
+  return constraints_.sheets.at(edge_key(corners[side], corners[corners.after(side)]));
 }
 
 void FaceTriangulator::find_sheets() {
   support::DisjointSets sheets(members_.size());
   for (std::size_t m = 0; !constraints_.sheets.empty() && m < members_.size(); ++m) {
-    const FlatFacets::Corners& corners = incidences_of_[m].corners;
-    for (std::size_t i = 0; i < corners.count; ++i) {
-      const EdgeKey edge = edge_key(corners[i], corners[corners.after(i)]);
-      if (is_inside_sheet(edge)) {
-        const auto& [first, second] = *constraints_.sheets.at(edge);
-        sheets.unite(member_index(first), member_index(second));
+    for (std::size_t i = 0; i < incidences_of_[m].corners.count; ++i) {
+      if (const TrianglePair* sides = inner_side(m, i)) {
+        sheets.unite(member_of(sides->first), member_of(sides->second));
       }
     }
   }
@@ -255,10 +254,10 @@ void FaceTriangulator::start_from_frame() {
 void FaceTriangulator::constrain_edges(std::size_t member) {
   const FlatFacets::Corners& corners = incidences_of_[member].corners;
   for (std::size_t i = 0; i < corners.count; ++i) {
-    const EdgeKey key = edge_key(corners[i], corners[corners.after(i)]);
-    if (is_inside_sheet(key)) {
+    if (inner_side(member, i) != nullptr) {
       continue;
     }
+    const EdgeKey key = edge_key(corners[i], corners[corners.after(i)]);
     slots_.push_back({kNone, {sheet_of_[member]}});
     const std::uint32_t slot = last_slot();
     PointId from = lower_end(key);

@@ -62,8 +62,8 @@ class FaceTriangulator {
   [[nodiscard]] Lines line_in_plane_of(std::uint32_t partner, Lines& next);
   void insert(PointId id);
   void find_sheets();
-  [[nodiscard]] std::uint32_t member_index(std::uint32_t triangle) const;
-  [[nodiscard]] bool is_inside_sheet(EdgeKey edge) const;
+  [[nodiscard]] std::uint32_t member_of(std::uint32_t triangle) const;
+  [[nodiscard]] const TrianglePair* inner_side(std::size_t member, std::size_t side) const;
   void start_from_facet();
   void start_from_frame();
   void insert_remaining();
