@@ -10,8 +10,8 @@
 #include "arrangement/lone_fans.h"
 #include "arrangement/manifold_patches.h"
 #include "arrangement/output_mesh.h"
+#include "arrangement/pair_intersections.h"
 #include "arrangement/piece_merging.h"
-#include "arrangement/triangle_intersection.h"
 #include "arrangement/winding_numbers.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
@@ -26,43 +26,34 @@ std::vector<TrianglePair> candidates_of(const ArrangementInput& input, const Pro
   return broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
 }
 
-std::vector<TriangleIntersection> find_intersections(const ArrangementInput& input,
-                                                     const std::vector<TrianglePair>& candidates,
-                                                     const Progress& progress) {
-  const support::ProgressStage stage(progress, "intersect", 0.2, 0.4);
-  constexpr std::size_t kBatch = 512;
-  std::vector<std::vector<TriangleIntersection>> batches(
-      support::block_count(candidates.size(), kBatch));
-  const auto meet_all = [&](const support::Block& block) {
-    const UpwardRounding rounding;
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      intersect(input, candidates[i].first, candidates[i].second, batches[block.number]);
-    }
-    stage.step(batches.size());
-  };
-  support::for_each_block(candidates.size(), meet_all, kBatch);
-  return support::joined(std::move(batches));
+Intersections find_intersections(const ArrangementInput& input,
+                                 std::span<const TrianglePair> candidates,
+                                 const Progress& progress) {
+  return find_intersections(input, candidates,
+                            support::ProgressStage(progress, "intersect", 0.2, 0.4));
 }
 
-std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input,
-                                                   const Progress& progress) {
+Intersections intersections_of(const ArrangementInput& input, const Progress& progress) {
   return find_intersections(input, candidates_of(input, progress), progress);
 }
 
-Constraints constraints_of(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
+Constraints constraints_of(ArrangementInput& input, const Intersections& intersections,
                            std::uint64_t memory_limit) {
   const UpwardRounding rounding;
-  support::refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
-  return collect_constraints(input, intersections);
+  support::refuse_too_large(input.triangles.size(), intersections.found.size(), memory_limit);
+  return collect_constraints(input, intersections.found, intersections.crossed_sheets);
 }
 
 // All that stands between the input and these ends here, to make room for the result.
-support::BulkVector<OutputTriangle> select_triangles(
-    ArrangementInput& input, std::vector<TriangleIntersection> intersections,
-    const BooleanRule& rule, const Progress& progress, std::uint64_t memory_limit) {
+support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
+                                                     Intersections intersections,
+                                                     const BooleanRule& rule,
+                                                     const Progress& progress,
+                                                     std::uint64_t memory_limit) {
   Subdivision subdivision;
   {
-    Constraints constraints = constraints_of(input, std::move(intersections), memory_limit);
+    Constraints constraints = constraints_of(input, intersections, memory_limit);
+    intersections = {};
     const support::ProgressStage stage(progress, "triangulate", 0.4, 0.7);
     const UpwardRounding rounding;
     subdivision = retriangulate(input, rule, std::move(constraints), stage);
@@ -79,7 +70,7 @@ support::BulkVector<OutputTriangle> select_triangles(
   return collect_output_triangles(input, subdivision, patches, selection);
 }
 
-mesh::ExactMesh arrange(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
+mesh::ExactMesh arrange(ArrangementInput& input, Intersections intersections,
                         const BooleanRule& rule, const Progress& progress,
                         std::uint64_t memory_limit, bool merging = false) {
   support::BulkVector<OutputTriangle> kept =
@@ -157,7 +148,7 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
   if (crowded(input, candidates)) {
     return std::nullopt;
   }
-  std::vector<TriangleIntersection> intersections = find_intersections(input, candidates, progress);
+  Intersections intersections = find_intersections(input, candidates, progress);
   support::release(candidates);
   return arrange(input, std::move(intersections), rule, progress, memory_limit);
 }

@@ -262,21 +262,21 @@ void sort_along_edges(const PointTable& points,
 // Classes of facets that overlap in a common plane, and every other touched facet alone.
 void group_faces(std::span<const TriangleIntersection> intersections, Constraints& result) {
   const FlatFacets& facets = result.facets;
-  std::vector<std::uint32_t> overlapping;
+  std::vector<std::uint32_t> number(result.touched.size(), kNone);
   for (const TriangleIntersection& e : intersections) {
     if (e.kind == TriangleIntersection::Kind::overlap) {
-      overlapping.insert(overlapping.end(), {facets.of(e.first), facets.of(e.second)});
+      number[facets.of(e.first)] = number[facets.of(e.second)] = 0;
     }
   }
-  support::sort_unique(overlapping);
+  const std::vector<std::uint32_t> overlapping = support::indices_where(
+      number.size(), [&number](std::size_t facet) { return number[facet] != kNone; });
+  for (std::uint32_t i = 0; i < overlapping.size(); ++i) {
+    number[overlapping[i]] = i;
+  }
   support::DisjointSets classes(overlapping.size());
-  const auto index = [&overlapping](std::uint32_t facet) {
-    return static_cast<std::uint32_t>(
-        std::lower_bound(overlapping.begin(), overlapping.end(), facet) - overlapping.begin());
-  };
   for (const TriangleIntersection& e : intersections) {
     if (e.kind == TriangleIntersection::Kind::overlap) {
-      classes.unite(index(facets.of(e.first)), index(facets.of(e.second)));
+      classes.unite(number[facets.of(e.first)], number[facets.of(e.second)]);
     }
   }
   std::vector<std::vector<std::uint32_t>>& faces = result.overlapping;
@@ -290,8 +290,7 @@ void group_faces(std::span<const TriangleIntersection> intersections, Constraint
     faces[face].push_back(overlapping[i]);
   }
   result.alone = support::indices_where(result.touched.size(), [&](std::uint32_t t) {
-    return result.touched[t] && facets.of(t) == t &&
-           !std::binary_search(overlapping.begin(), overlapping.end(), t);
+    return result.touched[t] && facets.of(t) == t && number[t] == kNone;
   });
 }
 
@@ -332,9 +331,10 @@ std::span<const Constraints::Segment> Constraints::segments_of(std::uint32_t tri
 }
 
 Constraints collect_constraints(ArrangementInput& input,
-                                std::span<const TriangleIntersection> intersections) {
+                                std::span<const TriangleIntersection> intersections,
+                                std::span<const TrianglePair> crossed_sheets) {
   Constraints result;
-  IntersectionPoints points = create_intersection_points(input, intersections);
+  IntersectionPoints points = create_intersection_points(input, intersections, crossed_sheets);
   result.facets = std::move(points.facets);
   result.sheets = std::move(points.sheets);
   result.coincident_points.emplace(input.points, input.extent,

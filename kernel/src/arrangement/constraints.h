@@ -60,6 +60,7 @@ struct Constraints {
 /// edges and triangles they lie on. Adds points to the input and marks special ones. Needs
 /// UpwardRounding.
 [[nodiscard]] Constraints collect_constraints(ArrangementInput& input,
-                                              std::span<const TriangleIntersection> intersections);
+                                              std::span<const TriangleIntersection> intersections,
+                                              std::span<const TrianglePair> crossed_sheets = {});
 
 }  // namespace dupin::arrangement

@@ -36,4 +36,8 @@ class FlatSheets {
   std::vector<Inner> edges_;  // by edge
 };
 
+/// Whether two triangles with a common edge, and no others, are part of one sheet. Needs
+/// UpwardRounding.
+[[nodiscard]] bool are_one_sheet(const ArrangementInput& input, const TrianglePair& pair);
+
 }  // namespace dupin::arrangement

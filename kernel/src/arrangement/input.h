@@ -93,6 +93,12 @@ struct ArrangementInput {
   return change;
 }
 
+/// Whether some operand is compared with itself.
+[[nodiscard]] inline bool may_cross_themselves(const ArrangementInput& input) {
+  return std::ranges::any_of(input.operand_pairs,
+                             [](const OperandPair& pair) { return pair[0] == pair[1]; });
+}
+
 [[nodiscard]] inline bool changes_nothing(std::span<const int> change) {
   return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
 }

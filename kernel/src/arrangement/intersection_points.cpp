@@ -122,8 +122,12 @@ MeetingAt meeting_at(std::uint32_t end, const Meeting& m) {
 
 class Creator {
  public:
-  Creator(ArrangementInput& input, std::span<const TriangleIntersection> intersections)
-      : input_(input), intersections_(intersections), leader_(2 * intersections.size()) {
+  Creator(ArrangementInput& input, std::span<const TriangleIntersection> intersections,
+          std::span<const TrianglePair> crossed_sheets)
+      : input_(input),
+        intersections_(intersections),
+        crossed_sheets_(crossed_sheets),
+        leader_(2 * intersections.size()) {
     points_.ends.resize(2 * intersections.size());
     points_.first_new_point = input.points.size();
   }
@@ -278,6 +282,9 @@ class Creator {
             }
           }
         });
+    for (const TrianglePair& pair : crossed_sheets_) {
+      candidates.push_back({pair, true});
+    }
     support::sort_by_key(
         candidates, static_cast<std::uint32_t>(input_.triangles.size()),
         [](const Candidate& c) { return c.pair.first; }, std::less<>());
@@ -290,7 +297,7 @@ class Creator {
 
   // None if operands may cross themselves.
   void find_facets() {
-    if (std::ranges::any_of(input_.operand_pairs, [](const auto& p) { return p[0] == p[1]; })) {
+    if (may_cross_themselves(input_)) {
       return;
     }
     std::vector<TrianglePair> all, in_plane;
@@ -383,6 +390,7 @@ class Creator {
 
   ArrangementInput& input_;
   std::span<const TriangleIntersection> intersections_;
+  std::span<const TrianglePair> crossed_sheets_;
   std::optional<EdgeLines> lines_;
   IntersectionPoints points_;
   support::BulkVector<MeetingAt> meetings_;
@@ -394,8 +402,9 @@ class Creator {
 }  // namespace
 
 IntersectionPoints create_intersection_points(ArrangementInput& input,
-                                              std::span<const TriangleIntersection> intersections) {
-  return Creator(input, intersections).run();
+                                              std::span<const TriangleIntersection> intersections,
+                                              std::span<const TrianglePair> crossed_sheets) {
+  return Creator(input, intersections, crossed_sheets).run();
 }
 
 }  // namespace dupin::arrangement

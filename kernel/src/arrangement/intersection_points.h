@@ -12,12 +12,6 @@
 
 namespace dupin::arrangement {
 
-/// The edge of a triangle that a feature of it is.
-[[nodiscard]] inline EdgeKey edge_of(const Triangle& corners, Feature feature) {
-  const std::size_t i = feature - 3u;
-  return edge_key(corners[i], corners[(i + 1) % 3]);
-}
-
 /// The points at the ends of intersections.
 struct IntersectionPoints {
   FlatFacets facets;
@@ -31,8 +25,10 @@ struct IntersectionPoints {
 
 /// Finds the corners at ends of intersections, and adds all other ends to the input, but for joints
 /// inside of two facets, and of sheets: one point for each pair of edges, or of an edge and a
-/// plane, that meet there, in order of first appearance. Needs UpwardRounding.
+/// plane, that meet there, in order of first appearance. Of crossed sheets there are no points
+/// among the intersections (pair_intersections.h). Needs UpwardRounding.
 [[nodiscard]] IntersectionPoints create_intersection_points(
-    ArrangementInput& input, std::span<const TriangleIntersection> intersections);
+    ArrangementInput& input, std::span<const TriangleIntersection> intersections,
+    std::span<const TrianglePair> crossed_sheets = {});
 
 }  // namespace dupin::arrangement

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "arrangement/points/implicit_predicates.h"
+#include "arrangement/sheet_edges.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -28,15 +31,32 @@ struct IntervalOnLine {
 
 bool one_sided(const Signs& s) { return s[0] == s[1] && s[1] == s[2] && s[0] != 0; }
 
+bool lies_in(const PlaneSides& plane, const Triangle& support) {
+  return std::all_of(support.begin(), support.end(), [&](PointId p) { return plane.of(p) == 0; });
+}
+
+// Of a triangle in the same plane, its support tells so sooner than implicit corners.
 Signs sides(const ArrangementInput& input, std::uint32_t triangle, std::uint32_t plane) {
   const Triangle& corners = input.triangles[triangle];
   const Triangle& others = input.triangles[plane];
   const auto& [a, b, c] = input.support(plane);
   const PlaneSides sides(input.points, a, b, c);
+  bool is_support_in_doubt = true;
   Signs s{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const bool shared = std::find(others.begin(), others.end(), corners[k]) != others.end();
-    s[k] = shared ? 0 : sides.of(corners[k]);
+    if (std::find(others.begin(), others.end(), corners[k]) != others.end()) {
+      continue;
+    }
+    if (!input.points.is_double(corners[k])) {
+      s[k] = sides.of_enclosed(corners[k]);
+      if (s[k] == 0 && std::exchange(is_support_in_doubt, false) &&
+          lies_in(sides, input.support(triangle))) {
+        return {0, 0, 0};
+      }
+    }
+    if (s[k] == 0) {
+      s[k] = sides.of(corners[k]);
+    }
   }
   return s;
 }
@@ -136,13 +156,31 @@ void meet_across(const ArrangementInput& input, std::uint32_t first, std::uint32
 // sides[e][c]: the side of corner c of one triangle as seen from edge e of the other, +1 within.
 using SideTable = std::array<std::array<int, 3>, 3>;
 
-SideTable sides_of_edges(const PointTable& points, const Triangle& edges, const Triangle& corners,
+// Corners, projected.
+struct Projected {
+  Projected(const PointTable& points, const Triangle& corners, int axis) : ids(corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = {points.interval(ids[k], (axis + 1) % 3), points.interval(ids[k], (axis + 2) % 3)};
+    }
+  }
+  const Triangle& ids;
+  std::array<std::array<Interval, 2>, 3> at;
+};
+
+SideTable sides_of_edges(const PointTable& points, const Projected& edges, const Projected& corners,
                          const Projection& projection) {
   SideTable sides{};
   for (std::size_t e = 0; e < 3; ++e) {
+    const std::size_t next = (e + 1) % 3;
+    const auto& [x, y] = edges.at[e];
+    const Interval u = edges.at[next][0] - x, v = edges.at[next][1] - y;
     for (std::size_t c = 0; c < 3; ++c) {
-      sides[e][c] = projection.orientation *
-                    turn(points, edges[e], edges[(e + 1) % 3], corners[c], projection.axis);
+      const FilteredSign filtered =
+          sign_of(u * (corners.at[c][1] - y) - v * (corners.at[c][0] - x));
+      sides[e][c] =
+          projection.orientation * (filtered.certain ? filtered.sign
+                                                     : turn(points, edges.ids[e], edges.ids[next],
+                                                            corners.ids[c], projection.axis));
     }
   }
   return sides;
@@ -185,13 +223,28 @@ Located locate(const SideTable& sides, std::size_t corner) {
   return {true, kInside};
 }
 
-// What two coplanar triangles have in common: corners on or in the other one, crossings of edges,
-// and whether it has an area.
-void intersect_coplanar(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
-                        std::vector<TriangleIntersection>& intersections) {
+// Pairs of edges that cross.
+template <class Visit>
+void for_each_crossing(const SideTable& b_from_a, const SideTable& a_from_b, const Visit& visit) {
+  for (std::size_t e = 0; e < 3; ++e) {
+    for (std::size_t f = 0; f < 3; ++f) {
+      if (b_from_a[e][f] * b_from_a[e][(f + 1) % 3] < 0 &&
+          a_from_b[f][e] * a_from_b[f][(e + 1) % 3] < 0) {
+        visit(e, f);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+// Corners on or in the other triangle, crossings of edges, and whether there is a common area.
+void intersect_in_plane(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+                        SheetEdges* sheets, std::vector<TriangleIntersection>& intersections) {
   const PointTable& points = input.points;
-  const Triangle &a = input.triangles[first], &b = input.triangles[second];
   const Projection projection = projection_of(points, input.support(first));
+  const Projected a(points, input.triangles[first], projection.axis),
+      b(points, input.triangles[second], projection.axis);
   const Projection other{projection.axis,
                          turn(points, input.support(second)[0], input.support(second)[1],
                               input.support(second)[2], projection.axis)};
@@ -217,21 +270,16 @@ void intersect_coplanar(const ArrangementInput& input, std::uint32_t first, std:
       add(TriangleIntersection::Kind::point, b_corner.feature, static_cast<Feature>(c));
     }
   }
-  for (std::size_t e = 0; e < 3; ++e) {
-    for (std::size_t f = 0; f < 3; ++f) {
-      if (b_from_a[e][f] * b_from_a[e][(f + 1) % 3] < 0 &&
-          a_from_b[f][e] * a_from_b[f][(e + 1) % 3] < 0) {
-        add(TriangleIntersection::Kind::point, edge_feature(static_cast<int>(e)),
-            edge_feature(static_cast<int>(f)));
-      }
+  for_each_crossing(b_from_a, a_from_b, [&](std::size_t e, std::size_t f) {
+    if (sheets == nullptr || !sheets->cross(first, e, second, f)) {
+      add(TriangleIntersection::Kind::point, edge_feature(static_cast<int>(e)),
+          edge_feature(static_cast<int>(f)));
     }
-  }
+  });
   if (!separated(b_from_a) && !separated(a_from_b)) {
     add(TriangleIntersection::Kind::overlap, kInside, kInside);
   }
 }
-
-}  // namespace
 
 Feature common_edge(Feature a, Feature b) {
   for (Feature edge = 3; edge < kInside; ++edge) {
@@ -247,17 +295,25 @@ Feature common_edge(Feature a, Feature b) {
 
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                std::vector<TriangleIntersection>& intersections) {
-  const Signs first_sides = sides(input, first, second);
-  if (one_sided(first_sides)) {
-    return;
+  if (!intersect_across(input, first, second, intersections)) {
+    intersect_in_plane(input, first, second, nullptr, intersections);
   }
+}
+
+bool intersect_across(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+                      std::vector<TriangleIntersection>& intersections) {
+  const Signs first_sides = sides(input, first, second);
   if (first_sides == Signs{0, 0, 0}) {
-    return intersect_coplanar(input, first, second, intersections);
+    return false;
+  }
+  if (one_sided(first_sides)) {
+    return true;
   }
   const Signs second_sides = sides(input, second, first);
   if (!one_sided(second_sides)) {
     meet_across(input, first, second, first_sides, second_sides, intersections);
   }
+  return true;
 }
 
 Projection projection_of(const PointTable& points, const Triangle& support) {
@@ -265,8 +321,8 @@ Projection projection_of(const PointTable& points, const Triangle& support) {
   const Vec3 normal =
       (points.approximation(support[1]) - a).cross(points.approximation(support[2]) - a);
   std::array<int, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(),
-                   [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
+  support::sort_run(std::span<int>(axes),
+                    [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
   for (const int axis : axes) {
     const int orientation = turn(points, support[0], support[1], support[2], axis);
     if (orientation != 0) {

@@ -8,6 +8,8 @@
 
 namespace dupin::arrangement {
 
+class SheetEdges;
+
 /// Where on a triangle a point lies: corner 0..2, edge 3..5 (edge 3 + i runs from corner i to the
 /// next), or inside.
 using Feature = std::uint8_t;
@@ -15,6 +17,11 @@ inline constexpr Feature kInside = 6;
 [[nodiscard]] constexpr Feature edge_feature(int i) { return static_cast<Feature>(3 + i); }
 [[nodiscard]] constexpr bool is_corner(Feature f) { return f < 3; }
 [[nodiscard]] constexpr bool is_edge(Feature f) { return f >= 3 && f < kInside; }
+/// The edge of a triangle that a feature of it is.
+[[nodiscard]] inline EdgeKey edge_of(const Triangle& corners, Feature feature) {
+  const std::size_t i = feature - 3u;
+  return edge_key(corners[i], corners[(i + 1) % 3]);
+}
 /// The edge of the triangle on which two features lie, which are not the same corner; or kInside.
 [[nodiscard]] Feature common_edge(Feature a, Feature b);
 
@@ -41,6 +48,13 @@ struct TriangleIntersection {
 /// corners of both are not reported. Needs UpwardRounding.
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                std::vector<TriangleIntersection>& intersections);
+/// The same of triangles that do not lie in one plane; false, and nothing, of those that do.
+bool intersect_across(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+                      std::vector<TriangleIntersection>& intersections);
+/// The same of those that do, but for points where edges inside of sheets cross, which sheets are
+/// told of, if there are any.
+void intersect_in_plane(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+                        SheetEdges* sheets, std::vector<TriangleIntersection>& intersections);
 
 /// The axis along which the triangle projects to a proper one, the nearest to its normal if
 /// rounding lets us see it; and the orientation of the projection.

@@ -12,6 +12,7 @@
 #include "arrangement/broad_phase.h"
 #include "arrangement/constraints.h"
 #include "arrangement/faces/subdivision.h"
+#include "arrangement/pair_intersections.h"
 #include "arrangement/triangle_intersection.h"
 #include "dupin/kernel/solid.h"
 #include "exact/exact_numbers.h"
@@ -60,6 +61,10 @@ class Stages {
   [[nodiscard]] std::vector<arrangement::TrianglePair> candidates() const {
     return arrangement::broad_phase(input, stage_);
   }
+  [[nodiscard]] arrangement::Intersections found() const {
+    return arrangement::find_intersections(input, candidates(), stage_);
+  }
+  /// The same, pair by pair, with points where edges inside of sheets cross.
   [[nodiscard]] std::vector<arrangement::TriangleIntersection> intersections() const {
     std::vector<arrangement::TriangleIntersection> result;
     for (const auto& [first, second] : candidates()) {
@@ -68,7 +73,8 @@ class Stages {
     return result;
   }
   [[nodiscard]] arrangement::Constraints incidences() {
-    return arrangement::collect_constraints(input, intersections());
+    const arrangement::Intersections all = found();
+    return arrangement::collect_constraints(input, all.found, all.crossed_sheets);
   }
   [[nodiscard]] arrangement::Subdivision subdivision(arrangement::Constraints constraints) {
     return arrangement::retriangulate(input, rule, std::move(constraints), stage_);

@@ -105,18 +105,21 @@ int PlaneSides::of(PointId p) const {
     const Vec3 &y = points_.coordinates(b), &z = points_.coordinates(c);
     return q == origin_ || q == y || q == z ? 0 : exact_side(origin_, y, z, q);
   }
-  if (is_of_doubles_) {
-    const Vec3 q = points_.approximation(p);
-    Vec3 reach;
-    for (int k = 0; k < 3; ++k) {
-      const Interval at = points_.interval(p, k);
-      reach[k] = std::max(at.sup() - q[k], q[k] - at.inf());  // rounded upward
-    }
-    if (const int sign = filtered(q, reach); sign != 0) {
-      return sign;
-    }
+  const int sign = of_enclosed(p);
+  return sign != 0 ? sign : implicit_side(points_, a, b, c, p);
+}
+
+int PlaneSides::of_enclosed(PointId p) const {
+  if (!is_of_doubles_) {
+    return 0;
   }
-  return implicit_side(points_, a, b, c, p);
+  const Vec3 q = points_.approximation(p);
+  Vec3 reach;
+  for (int k = 0; k < 3; ++k) {
+    const Interval at = points_.interval(p, k);
+    reach[k] = std::max(at.sup() - q[k], q[k] - at.inf());  // rounded upward
+  }
+  return filtered(q, reach);
 }
 
 int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {

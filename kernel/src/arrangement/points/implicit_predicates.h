@@ -20,6 +20,8 @@ class PlaneSides {
  public:
   PlaneSides(const PointTable& points, PointId a, PointId b, PointId c);
   [[nodiscard]] int of(PointId p) const;
+  /// The same if floating point tells, else 0; of an implicit point.
+  [[nodiscard]] int of_enclosed(PointId p) const;
 
  private:
   [[nodiscard]] int filtered(const Vec3& p, const Vec3& reach) const;
