@@ -14,6 +14,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "argument_checks.h"
 #include "commands.h"
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
@@ -74,11 +75,12 @@ void refuse_mpirun(const std::string& command) {
   }
 }
 
-int perform(const Action& action, const std::string& command, const CommonOptions& common) {
+int perform(const Action& action, const CLI::App& command, const CommonOptions& common) {
   try {
-    if (command != "build" && command != "union") {
-      refuse_mpirun(command);
+    if (command.get_name() != "build" && command.get_name() != "union") {
+      refuse_mpirun(command.get_name());
     }
+    require_sound_arguments(*command.get_parent(), command);
     const ExitCode code = action(common);
     std::cout.flush();
     if (!std::cout && !has_lost_reader()) {
@@ -145,7 +147,7 @@ int run(std::span<char*> arguments) {
     });
     return usage_failure(json, usage_text(app, error));
   }
-  return perform(action, app.get_subcommands().front()->get_name(), common);
+  return perform(action, *app.get_subcommands().front(), common);
 }
 
 /// glibc keeps arrays up to 32 MB for itself once some were freed; between the stages of a union

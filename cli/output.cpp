@@ -182,9 +182,8 @@ Destination destination(const OutputArguments& arguments) {
                                         ? Verification::full
                                         : Verification::compare;
   const std::string path = output_path(typed);
-  if (names_stdout(patches) || (!patches.empty() && patches == path)) {
-    throw UsageError("--patches takes a file of its own, not " +
-                     (patches == path ? "that of the mesh" : std::string("standard output")));
+  if (names_stdout(patches)) {
+    throw UsageError("--patches takes a file of its own, not standard output");
   }
   if (const MeshFormat* const chosen = find_mesh_format(format)) {
     return {path, *chosen, verification, patches};

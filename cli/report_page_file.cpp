@@ -14,9 +14,8 @@ void require_page_file(const std::string& page, const std::string& mesh) {
                 "this build makes no report pages: three.js was not there when it was made "
                 "(Debian: libjs-three)");
   }
-  if (!mesh.empty() && (output_path(page) == "-" || page == mesh)) {
-    throw UsageError("--report takes a file of its own, not " +
-                     (page == mesh ? "that of the mesh" : std::string("standard output")));
+  if (!mesh.empty() && output_path(page) == "-") {
+    throw UsageError("--report takes a file of its own, not standard output");
   }
 }
 

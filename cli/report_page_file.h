@@ -9,8 +9,8 @@
 
 namespace dupin::cli {
 
-/// Throws UsageError for a report page that would go where a mesh goes, or to standard output
-/// beside one, and Error{invalid_argument} where this build makes none. `mesh` may be empty.
+/// Throws UsageError for a report page that would go to standard output beside a mesh, and
+/// Error{invalid_argument} where this build makes none. `mesh` may be empty.
 void require_page_file(const std::string& page, const std::string& mesh);
 
 /// Writes the report page of a build, in one step. With a certificate its claims are shown, too.

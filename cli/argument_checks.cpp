@@ -1,0 +1,119 @@
+#include "argument_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "exit_code.h"
+#include "output.h"
+
+namespace dupin::cli {
+namespace {
+
+struct NamedFile {
+  std::string option;
+  std::filesystem::path path;  // whatever links lead there
+};
+
+bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+
+std::string name_of(const CLI::Option& option) {
+  return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
+}
+
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!is_flag(*option) && std::ranges::any_of(option->results(), &std::string::empty)) {
+      throw UsageError(name_of(*option) + " is empty: give it a value, or leave it out");
+    }
+  }
+}
+
+/// The mesh, certificate, page or document that the command is for.
+bool is_main_output(const CLI::Option& option) {
+  return option.check_lname("output") || (option.get_positional() && option.check_name("OUT"));
+}
+
+bool is_output(const CLI::Option& option) {
+  return is_main_output(option) || option.check_lname("patches") || option.check_lname("report");
+}
+
+bool is_input(const CLI::Option& option) {
+  return (option.get_positional() && !is_output(option)) || option.check_lname("certificate");
+}
+
+bool writes_new_versions(const CLI::App& command) {
+  constexpr std::array kCommands{"union",  "intersect", "subtract", "boolean", "convert",
+                                 "repair", "simplify",  "remesh",   "edit"};
+  return std::ranges::find(kCommands, command.get_name()) != kCommands.end();
+}
+
+/// Those that are files, or may become one, of the options that are asked for.
+template <class IsWanted>
+std::vector<NamedFile> files_of(const CLI::App& command, const IsWanted& is_wanted) {
+  namespace fs = std::filesystem;
+  std::vector<NamedFile> files;
+  for (const CLI::Option* option : command.get_options()) {
+    if (is_flag(*option) || !is_wanted(*option)) {
+      continue;
+    }
+    for (const std::string& value : option->results()) {
+      std::error_code failure;
+      const fs::path path = fs::weakly_canonical(fs::absolute(value, failure), failure);
+      const fs::file_type type = fs::status(path, failure).type();
+      if (output_path(value) != "-" && !path.empty() &&
+          (type == fs::file_type::regular || type == fs::file_type::not_found)) {
+        files.push_back({name_of(*option), path});
+      }
+    }
+  }
+  return files;
+}
+
+const NamedFile* find(const std::vector<NamedFile>& files, const std::filesystem::path& path) {
+  const auto found = std::ranges::find(files, path, &NamedFile::path);
+  return found != files.end() ? &*found : nullptr;
+}
+
+void refuse_in_place_of(const std::vector<NamedFile>& inputs,
+                        const std::vector<NamedFile>& outputs) {
+  for (const NamedFile& file : outputs) {
+    if (find(inputs, file.path) != nullptr) {
+      throw UsageError(file.option +
+                       " would take the place of what is read: " + file.path.string());
+    }
+  }
+}
+
+void refuse_shared_files(const CLI::App& command) {
+  const std::vector<NamedFile> inputs = files_of(command, is_input);
+  std::vector<NamedFile> outputs = files_of(command, is_main_output);
+  if (!writes_new_versions(command)) {
+    refuse_in_place_of(inputs, outputs);
+  }
+  const std::vector<NamedFile> beside =
+      files_of(command, [](const CLI::Option& o) { return is_output(o) && !is_main_output(o); });
+  refuse_in_place_of(inputs, beside);
+  for (const NamedFile& file : beside) {
+    if (const NamedFile* const other = find(outputs, file.path)) {
+      throw UsageError(file.option + " takes a file of its own, not that of " + other->option +
+                       ": " + file.path.string());
+    }
+    outputs.push_back(file);
+  }
+}
+
+}  // namespace
+
+void require_sound_arguments(const CLI::App& app, const CLI::App& command) {
+  refuse_empty_values(app);
+  refuse_empty_values(command);
+  refuse_shared_files(command);
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,128 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+using Words = std::vector<std::string>;
+
+class ArgumentChecks : public Tool {
+ protected:
+  ArgumentChecks() {
+    put("a.off", box({0, 0, 0}, {2, 2, 2}));
+    put("b.off", box({1, 1, 1}, {3, 3, 3}));
+    folder_.write("d.json", text_);
+    std::filesystem::create_symlink("d.json", folder_.path() / "link.json");
+  }
+
+  // Refused for that, and nothing has changed.
+  void expect_refused(const Words& words, const std::string& why) const {
+    const ProcessResult result = dupin(words);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(words) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(why));
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(folder_.files(), UnorderedElementsAre("a.off", "b.off", "d.json", "link.json"));
+    EXPECT_EQ(folder_.read("d.json"), text_);
+  }
+
+  const std::string text_ =
+      R"({"units": "mm", "tolerance": 0.1, "parts": [{"name": "p",
+          "pipe": {"from": [0, 0, 0], "to": [0, 0, 9], "radius": 2}}]})";
+};
+
+// As of variables that a script has not set: a pipe would be solid instead of hollow.
+TEST_F(ArgumentChecks, no_value_is_empty) {
+  const std::vector<std::pair<Words, std::string>> table = {
+      {{"build", "d.json", "-o", "x.stl", "--wall", ""}, "--wall is empty"},
+      {{"build", "d.json", "-o", "x.stl", "--memory", ""}, "--memory is empty"},
+      {{"build", "d.json", "-o", "x.stl", "--cache", ""}, "--cache is empty"},
+      {{"build", "d.json", "-o", "x.stl", "--patches="}, "--patches"},
+      {{"build", "d.json", "-o", ""}, "--output is empty"},
+      {{"build", "", "-o", "x.stl"}, "FILE is empty"},
+      {{"build", "d.json", "-o", "x.stl", "--tolerance", ""}, "--tolerance is empty"},
+      {{"certify", "d.json", "-o", "x.cert", "--margin", ""}, "--margin is empty"},
+      {{"convert", "a.off", "x.stl", "--grid", ""}, "--grid is empty"},
+      {{"convert", "a.off", "x.stl", "--rounding-tolerance", ""}, "--rounding-tolerance is empty"},
+      {{"gaps", "d.json", "--connect", ""}, "--connect is empty"},
+      {{"remesh", "a.off", "x.off", "--size", ""}, "--size is empty"},
+      {{"draw", "d.json", "-o", "x.svg", "--scale", ""}, "--scale is empty"},
+      {{"union", "a.off", "", "-o", "x.off"}, "IN is empty"}};
+  for (const auto& [words, why] : table) {
+    expect_refused(words, why);
+  }
+}
+
+TEST_F(ArgumentChecks, every_output_has_a_file_of_its_own) {
+  const std::string here = folder_.path().filename();
+  const std::vector<Words> table = {{"--patches", "x.stl"},
+                                    {"--report", "x.stl"},
+                                    {"--report", "./x.stl"},
+                                    {"--patches", "../" + here + "/x.stl"},
+                                    {"--patches", (folder_.path() / "x.stl").string()},
+                                    {"--patches", "r.html", "--report", "r.html"},
+                                    {"--patches", "./r.html", "--report", "r.html"}};
+  for (const Words& others : table) {
+    Words words{"build", "d.json", "-o", "x.stl"};
+    words.insert(words.end(), others.begin(), others.end());
+    expect_refused(words, "takes a file of its own, not that of --");
+  }
+  const ProcessResult apart =
+      dupin({"build", "d.json", "-o", "x.stl", "--patches", "x.json", "--report", "x.html", "-q"});
+  EXPECT_EQ(apart.exit_code, 0) << apart.err;
+}
+
+TEST_F(ArgumentChecks, no_output_takes_the_place_of_another_kind_of_input) {
+  for (const char* const name : {"d.json", "./d.json", "link.json"}) {
+    const std::vector<Words> table = {
+        {"certify", "d.json", "-o", name},
+        {"certify", "link.json", "-o", name},
+        {"nurbs", "d.json", "-o", name},
+        {"report", "d.json", "-o", name},
+        {"draw", "d.json", "-o", name},
+        {"build", "d.json", "-o", name, "--format", "stl"},
+        {"build", "d.json", "-o", name, "--format", "stl", "--tiles", "2"},
+        {"build", "d.json", "-o", "x.stl", "--patches", name},
+        {"build", "d.json", "-o", "x.stl", "--report", name},
+        {"watch", "d.json", "-o", name, "--format", "stl"}};
+    for (const Words& words : table) {
+      expect_refused(words, " would take the place of what is read: ");
+    }
+  }
+  expect_refused({"union", "a.off", "b.off", "-o", "x.off", "--patches", "b.off"},
+                 "--patches would take the place of what is read: ");
+}
+
+TEST_F(ArgumentChecks, many_documents_do_not_become_themselves) {
+  std::filesystem::create_directory(folder_.path() / "out");
+  folder_.write("out/t.stl", text_);
+  const ProcessResult result = dupin({"build", "out/t.stl", "d.json", "--out-dir", "out"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("--output would take the place of what is read: "));
+  EXPECT_EQ(folder_.read("out/t.stl"), text_);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out/d.stl"));
+}
+
+TEST_F(ArgumentChecks, new_versions_are_written_in_place) {
+  for (const Words& words :
+       std::vector<Words>{{"union", "a.off", "b.off", "-o", "a.off"},
+                          {"subtract", "a.off", "b.off", "-o", "b.off"},
+                          {"repair", "a.off", "-o", "a.off"},
+                          {"convert", "a.off", "a.off"},
+                          {"edit", "d.json", "-o", "d.json", "--translate", "1,0,0"}}) {
+    const ProcessResult result = dupin(words);
+    EXPECT_EQ(result.exit_code, 0) << testing::PrintToString(words) << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace dupin::test
