@@ -39,7 +39,10 @@ void add_those_in_plane(const ArrangementInput& input, SheetEdges& sheets, Batch
     const auto end = others.begin() + static_cast<std::ptrdiff_t>(place);
     batch.found.insert(batch.found.end(), next, end);
     next = end;
-    intersect_in_plane(input, pair.first, pair.second, &sheets, batch.found);
+    const auto is_inside = [&sheets, pair = pair](std::size_t e, std::size_t f) {
+      return sheets.cross(pair.first, e, pair.second, f);
+    };
+    intersect_in_plane(input, pair.first, pair.second, is_inside, batch.found);
   }
   batch.found.insert(batch.found.end(), next, others.end());
   support::release(batch.in_plane);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "arrangement/points/implicit_predicates.h"
-#include "arrangement/sheet_edges.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/sort_by_key.h"
@@ -240,7 +239,8 @@ void for_each_crossing(const SideTable& b_from_a, const SideTable& a_from_b, con
 
 // Corners on or in the other triangle, crossings of edges, and whether there is a common area.
 void intersect_in_plane(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
-                        SheetEdges* sheets, std::vector<TriangleIntersection>& intersections) {
+                        const LeavesOut& leaves_out,
+                        std::vector<TriangleIntersection>& intersections) {
   const PointTable& points = input.points;
   const Projection projection = projection_of(points, input.support(first));
   const Projected a(points, input.triangles[first], projection.axis),
@@ -271,7 +271,7 @@ void intersect_in_plane(const ArrangementInput& input, std::uint32_t first, std:
     }
   }
   for_each_crossing(b_from_a, a_from_b, [&](std::size_t e, std::size_t f) {
-    if (sheets == nullptr || !sheets->cross(first, e, second, f)) {
+    if (!leaves_out || !leaves_out(e, f)) {
       add(TriangleIntersection::Kind::point, edge_feature(static_cast<int>(e)),
           edge_feature(static_cast<int>(f)));
     }
@@ -296,7 +296,7 @@ Feature common_edge(Feature a, Feature b) {
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                std::vector<TriangleIntersection>& intersections) {
   if (!intersect_across(input, first, second, intersections)) {
-    intersect_in_plane(input, first, second, nullptr, intersections);
+    intersect_in_plane(input, first, second, {}, intersections);
   }
 }
 

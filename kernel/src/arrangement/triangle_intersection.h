@@ -2,13 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "arrangement/input.h"
 
 namespace dupin::arrangement {
-
-class SheetEdges;
 
 /// Where on a triangle a point lies: corner 0..2, edge 3..5 (edge 3 + i runs from corner i to the
 /// next), or inside.
@@ -51,10 +50,12 @@ void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t
 /// The same of triangles that do not lie in one plane; false, and nothing, of those that do.
 bool intersect_across(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                       std::vector<TriangleIntersection>& intersections);
-/// The same of those that do, but for points where edges inside of sheets cross, which sheets are
-/// told of, if there are any.
+/// Whether to leave out the point where edges of the first and the second, 0..2, cross.
+using LeavesOut = std::function<bool(std::size_t, std::size_t)>;
+/// The same of those that do, but for the points that are left out; none if that is empty.
 void intersect_in_plane(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
-                        SheetEdges* sheets, std::vector<TriangleIntersection>& intersections);
+                        const LeavesOut& leaves_out,
+                        std::vector<TriangleIntersection>& intersections);
 
 /// The axis along which the triangle projects to a proper one, the nearest to its normal if
 /// rounding lets us see it; and the orientation of the projection.
