@@ -132,6 +132,30 @@ TEST_F(Build, every_example_gives_a_solid_but_the_tight_one) {
               ElementsAre("coplanar.stl", "reducer.stl", "straight-reducer.stl", "u-bend.stl"));
 }
 
+// With bores, which keep to the walls besides, and become longer where they are open.
+TEST_F(Build, names_a_tolerance_that_does) {
+  const std::string before = "; a tolerance of ";
+  for (const auto& [name, limits] :
+       std::map<std::string, std::vector<std::string>>{{"hollow-tee", {"1000", "3000"}},
+                                                       {"vessel", {"20000"}},
+                                                       {"tee", {"500", "2000"}},
+                                                       {"junction", {"1000"}}}) {
+    for (const std::string& limit : limits) {
+      std::vector<std::string> words{"build", example(name + ".json"), "-o",
+                                     "x.stl", "--triangles",           limit};
+      const std::string why = dupin(words).err;
+      const std::size_t at = why.find(before);
+      ASSERT_NE(at, std::string::npos) << name << why;
+      const std::size_t begin = at + before.size();
+      words.insert(words.end(), {"--tolerance", why.substr(begin, why.find(' ', begin) - begin)});
+      const ProcessResult again = dupin(words);
+      EXPECT_EQ(again.exit_code, 0) << why << again.err;
+    }
+  }
+  EXPECT_THAT(dupin({"build", example("vessel.json"), "-o", "x.stl", "--triangles", "3000"}).err,
+              HasSubstr("; no tolerance would do with walls as thin as these, but a higher limit"));
+}
+
 TEST_F(Build, reads_a_document_from_standard_input) {
   const ProcessResult result = dupin({"build", "-", "-o", "-", "--format", "off"}, kTwoPipes);
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -49,6 +49,21 @@ TEST_F(SolverMeshes, remesh_fills_for_gmsh_and_vtk) {
   EXPECT_EQ(unread.at("verification"), "none");
 }
 
+// Where the generator gives up, it would leave what it has in the working folder, and is asked
+// again.
+TEST_F(SolverMeshes, leave_nothing_but_themselves) {
+  folder_.write("d.json", R"({"units": "mm", "tolerance": 0.16, "parts": [
+{"name": "plate", "pipe": {"from": [1.0862182604588466, 0.0, -1.1079076746572607], "to": [0.7605196128270275, 0.0, 0.0], "radius": 5.517389625296996}},
+{"name": "neck", "ringed_blend": {"from": {"center": [0.0, 0.0, 0.0], "direction": [0.0, 0.0, 1.0408553054581051], "radius": 4.043032962849433, "plate": "narrowing"}, "to": "slanted.start"}},
+{"name": "slanted", "oblique": {"from": [1.1943955914434663, 0.0, 5.674357896007621], "to": [3.119542855599393, 0.0, 11.002754027122013], "normal": [0.0, 0.0, 0.8098737560808332], "radii": [1.54690981945981, 1.50421004913825]}},
+{"name": "cone", "cone": {"from": [11.155738199728813, 2.5272769132819377, 12.936697481751233], "direction": [0.902092750764238, 0.0, 0.0], "length": 3.6277181487985235, "radii": [1.1132379179682539, 1.2502551486073399]}},
+{"name": "blend", "ringed_blend": {"from": "slanted.end", "to": "cone.start"}}]})");
+  const ProcessResult result = dupin({"build", "d.json", "-o", "d.vtu", "-q"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(folder_.files(), testing::ElementsAre("d.json", "d.vtu"));
+}
+
 TEST_F(SolverMeshes, remesh_says_what_it_needs) {
   put("a.off", tube(10, 0, 50, 64));
   const auto refused = [this](const std::vector<std::string>& arguments) {

@@ -32,6 +32,7 @@ using tessellation::TrimmedFace;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 constexpr double kUncounted = std::numeric_limits<double>::infinity();
+constexpr double kAnyTolerance = std::numeric_limits<double>::infinity();
 
 struct Limit {
   double triangles, pairs;
@@ -41,6 +42,8 @@ struct Limit {
     return std::max(cost.triangles / triangles, cost.pairs / pairs);
   }
 };
+
+Limit limit_of(std::size_t most) { return {double(most), kPairsPerTriangle * double(most)}; }
 
 struct Estimate {
   MeshCost all, worst;  // worst: of the part that asks for most
@@ -99,25 +102,8 @@ class Estimator {
     return result;
   }
 
-  /// The same document's least tolerance that is not too costly, to two digits.
-  [[nodiscard]] std::optional<double> tolerance_that_would_do(Assembly assembly) const {
-    const auto would_do = [&](double tolerance) {
-      assembly.tolerance = tolerance;
-      return limit_.share(of(assembly).all) <= 1;
-    };
-    double no = assembly.tolerance, yes = 2 * no;
-    for (int i = 0; !would_do(yes); ++i) {
-      if (i == 30) {
-        return std::nullopt;
-      }
-      no = yes;
-      yes *= 2;
-    }
-    for (int i = 0; i < 6; ++i) {
-      const double middle = (no + yes) / 2;
-      (would_do(middle) ? yes : no) = middle;
-    }
-    return 1.06 * yes;
+  [[nodiscard]] bool is_within_limit(const Assembly& assembly) const {
+    return limit_.share(of(assembly).all) <= 1;
   }
 
  private:
@@ -225,6 +211,50 @@ std::string what_is_asked_for(const Assembly& assembly, const Estimate& estimate
          count_text(limit.pairs);
 }
 
+/// The same document's least tolerance that is not too costly for any, to two digits.
+std::optional<double> tolerance_that_would_do(std::span<const Estimator> estimators,
+                                              Assembly assembly) {
+  const auto would_do = [&](double tolerance) {
+    assembly.tolerance = tolerance;
+    return std::ranges::all_of(estimators,
+                               [&](const Estimator& e) { return e.is_within_limit(assembly); });
+  };
+  double no = assembly.tolerance, yes = 2 * no;
+  for (int i = 0; !would_do(yes); ++i) {
+    if (i == 30) {
+      return std::nullopt;
+    }
+    no = yes;
+    yes *= 2;
+  }
+  for (int i = 0; i < 6; ++i) {
+    const double middle = (no + yes) / 2;
+    (would_do(middle) ? yes : no) = middle;
+  }
+  return 1.06 * yes;
+}
+
+std::string what_would_do(std::span<const Estimator> estimators, const Assembly& assembly,
+                          double coarsest) {
+  const auto enough = tolerance_that_would_do(estimators, assembly);
+  if (!enough) {
+    return "; fewer segments would do, smaller parts, or a higher limit";
+  }
+  return *enough <= coarsest
+             ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"
+             : std::string(
+                   "; no tolerance would do with walls as thin as these, but a higher limit");
+}
+
+[[noreturn]] void refuse(std::span<const Estimator> estimators, std::size_t costly,
+                         const Assembly& assembly, const Limit& limit, double coarsest) {
+  const Estimate estimate = estimators[costly].of(assembly);
+  throw Error(
+      Errc::limit_exceeded,
+      what_is_asked_for(assembly, estimate, limit) + what_would_do(estimators, assembly, coarsest),
+      estimate.part, document_place(assembly, estimate.index));
+}
+
 /// Of two pipes of one radius through each other's axes, for each segment of both, measured: 3.9 to
 /// 4.2. Less where radii differ (1.6 for 6 : 1), or axes pass each other (2.7 at two thirds of the
 /// radius).
@@ -249,19 +279,37 @@ std::vector<std::set<std::uint32_t>> joined_parts(const ResolvedAssembly& resolv
 
 void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
                        std::span<const WeldedRun> runs, double grid, std::size_t most) {
-  const Limit limit{double(most), kPairsPerTriangle * double(most)};
+  const Limit limit = limit_of(most);
   const Estimator estimator(resolved, runs, grid, limit);
-  const Estimate estimate = estimator.of(assembly);
-  if (limit.share(estimate.all) <= 1) {
+  if (!estimator.is_within_limit(assembly)) {
+    refuse({&estimator, 1}, 0, assembly, limit, kAnyTolerance);
+  }
+}
+
+void refuse_too_costly(const Assembly& assembly, std::vector<const ResolvedAssembly*> sets_of_parts,
+                       double grid, std::size_t most, double coarsest,
+                       const std::function<const ResolvedAssembly*()>& later) {
+  const Limit limit = limit_of(most);
+  std::vector<std::vector<WeldedRun>> runs(sets_of_parts.size() + 1);
+  std::vector<Estimator> estimators;
+  const auto add = [&](const ResolvedAssembly& parts) {
+    std::vector<WeldedRun>& own = runs[estimators.size()];
+    own = welded_runs(parts);
+    estimators.emplace_back(parts, own, grid, limit);
+  };
+  for (const ResolvedAssembly* const parts : sets_of_parts) {
+    add(*parts);
+  }
+  const auto costly = std::ranges::find_if(
+      estimators, [&](const Estimator& e) { return !e.is_within_limit(assembly); });
+  if (costly == estimators.end()) {
     return;
   }
-  const auto enough = estimator.tolerance_that_would_do(assembly);
-  throw Error(
-      Errc::limit_exceeded,
-      what_is_asked_for(assembly, estimate, limit) +
-          (enough ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"
-                  : std::string("; fewer segments would do, smaller parts, or a higher limit")),
-      estimate.part, document_place(assembly, estimate.index));
+  const auto place = static_cast<std::size_t>(costly - estimators.begin());
+  if (const ResolvedAssembly* const parts = later()) {
+    add(*parts);
+  }
+  refuse(estimators, place, assembly, limit, coarsest);
 }
 
 double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,

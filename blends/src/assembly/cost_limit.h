@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "assembly/welded_runs.h"
 
@@ -16,6 +18,13 @@ constexpr double kPairsPerTriangle = 10;
 /// evaluations per piece, whatever the meshes would.
 void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
                        std::span<const WeldedRun> runs, double grid, std::size_t most);
+
+/// The same for each of several sets of parts, as outsides and bores are, where tolerances above
+/// `coarsest` are none. The tolerance that would do does for all of them, and for those of `later`,
+/// which is asked only then.
+void refuse_too_costly(const Assembly& assembly, std::vector<const ResolvedAssembly*> sets_of_parts,
+                       double grid, std::size_t most, double coarsest,
+                       const std::function<const ResolvedAssembly*()>& later);
 
 /// How many triangles the meshes of all parts together will have, roughly. As quick. `given` has
 /// the sampling of each part, if it is not to be found out.

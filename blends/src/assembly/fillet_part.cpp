@@ -259,6 +259,18 @@ class Search {
     }
   }
 
+  // With which radius a disc would lie inside the other pipe where it is. As much of it does as
+  // the smaller it is.
+  [[nodiscard]] std::string radius_inside(std::size_t i, Ring disc) const {
+    double inside = 0, out = disc.radius;
+    for (int step = 0; step < 50; ++step) {
+      disc.radius = (inside + out) / 2;
+      (pipes_.at(1 - i).reach_out(disc) > 0 ? out : inside) = disc.radius;
+    }
+    return inside > 0 ? "; there a radius of " + decimal_at_least(inside) + " at most lies inside"
+                      : std::string();
+  }
+
   // Where no end of it would lie inside the other one, wherever it ends.
   [[nodiscard]] std::string no_room_beside_axis(std::size_t i) const {
     const Ring &own = pipes_.at(i).ring(), &other = pipes_.at(1 - i).ring();
@@ -272,8 +284,8 @@ class Search {
     }
     const std::string &name = pipes_.at(i).name(), &around = pipes_.at(1 - i).name();
     const std::string off = "; its axis is " + decimal(aside, kMessageDigits) + " off that of '" +
-                            around + "', where what ends in '" + around + "' has a radius of ";
-    return (room > 0 ? off + decimal(room, kDigits) + " at most" : "; it is too far aside") +
+                            around + "', where nothing thicker than a radius of ";
+    return (room > 0 ? off + decimal(room, kDigits) + " ends in it" : "; it is too far aside") +
            ": '" + name + "' may go on through '" + around + "'";
   }
 
@@ -286,7 +298,7 @@ class Search {
         if (out > kRounding * disc.radius && pipes_.at(1 - i).outside(disc.center) < 0) {
           return ": '" + to_string({pipes_.at(i).name(), end}) + "' lies inside '" +
                  pipes_.at(1 - i).name() + "' only in part, and sticks out by " +
-                 decimal(out, kMessageDigits) + no_room_beside_axis(i);
+                 decimal(out, kMessageDigits) + radius_inside(i, disc) + no_room_beside_axis(i);
         }
       }
     }

@@ -135,7 +135,7 @@ void require_sound(const CanalFillet& fillet, double parameter) {
   }
   if (const double regularity = least_regularity(at, arc); !(regularity > 0)) {
     refuse("the fillet folds" + where + ": its regularity there is " +
-           decimal(regularity, kMessageDigits) + "; choose a smaller radius");
+           decimal(regularity, kMessageDigits));
   }
 }
 

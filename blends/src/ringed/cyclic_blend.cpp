@@ -211,7 +211,7 @@ std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& o
     return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
   }
   return widest + "; nearest to those given, " +
-         speeds_text(from, to, options, *advice.nearest, options.margin) + " works";
+         speeds_text(from, to, options, *advice.nearest, options.margin) + " has enough";
 }
 
 // Sampled where the margin is missed, for the message: what is proven is the interval.

@@ -148,11 +148,16 @@ std::size_t first_not_proved(const std::vector<RingedSurface>& pieces, double ma
   const auto bad = violations(piece, margin);
   const std::string where =
       "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
+  const double most = regularity(piece).upper;
+  const std::string wanted = decimal(margin, kMessageDigits);
   throw Error(Errc::irregular_surface,
               "the pipe is bent too sharply between its points " + std::to_string(span) + " and " +
-                  std::to_string(span + 1) + ": its margin min(1 - kappa R) is at most " +
-                  decimal_at_most(regularity(piece).upper) + ", not " +
-                  decimal(margin, kMessageDigits) + "; move the points apart or reduce the radii",
+                  std::to_string(span + 1) + ": " +
+                  (most < margin ? "its margin min(1 - kappa R) is at most " +
+                                       decimal_at_most(most) + ", not " + wanted
+                                 : "that its margin min(1 - kappa R) is " + wanted +
+                                       " cannot be proved where its spine nearly stops") +
+                  "; move the points apart or reduce the radii",
               {}, where);
 }
 

@@ -31,7 +31,7 @@ class Expression::Parser {
   Expression run() {
     sum();
     if (peek() != '\0') {
-      fail(std::string("'+', '-', '&' or the end is expected, not '") + peek() + "'");
+      fail(std::string("'+', '-', '&' or the end is expected, not '") + character() + "'");
     }
     return std::move(result_);
   }
@@ -63,6 +63,15 @@ class Expression::Parser {
       result_.steps_.push_back({Kind::intersect, 0});
     }
   }
+  // That is next, of as many bytes as UTF-8 has for it.
+  [[nodiscard]] std::string character() {
+    peek();
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) {
+      ++end;
+    }
+    return std::string(text_.substr(at_, end - at_));
+  }
   void term() {
     const char c = peek();
     if (c == '(') {
@@ -91,7 +100,7 @@ class Expression::Parser {
       operand(text_.substr(begin, at_ - begin));
     } else {
       fail(c == '\0' ? "an operand is expected at the end"
-                     : std::string("an operand is expected, not '") + c + "'");
+                     : "an operand is expected, not '" + character() + "'");
     }
   }
   void operand(std::string_view name) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -34,6 +35,24 @@ using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, Surface, CGA
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
                                                         Domain::Curve_index>;
+
+}  // namespace
+}  // namespace dupin::meshing
+
+namespace CGAL {
+
+// Before it throws, the generator would write all it has into files of the working folder, and say
+// so on standard error.
+template <>
+struct Dump_c3t3<dupin::meshing::Complex, true> {
+  void dump_c3t3(const dupin::meshing::Complex&, const std::string&) const {}
+};
+
+}  // namespace CGAL
+
+namespace dupin::meshing {
+namespace {
+
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 Point point_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }

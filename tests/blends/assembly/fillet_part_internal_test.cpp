@@ -159,9 +159,10 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, aside, on(aside)},
        ": 'aside.start' lies inside 'run' only in part, and sticks out by 0.001"},
       {{run, equal, on(equal)},
-       "sticks out by 0.1; its axis is 0.1 off that of 'run', where what ends in 'run' has a "
-       "radius "
-       "of 3.9 at most: 'equal' may go on through 'run'"},
+       "sticks out by 0.1; there a radius of 3.89999 at most lies inside; its axis is 0.1 off that "
+       "of "
+       "'run', where nothing thicker than a radius of 3.9 ends in it: 'equal' may go on through "
+       "'run'"},
       {{run, branch, on(branch), fillet("g", "branch", "run", 0.2)},
        "the crossing of these parts has 'f' already",
        Errc::invalid_argument},
@@ -223,6 +224,27 @@ TEST(FilletPart, names_what_fits_whatever_was_asked_for) {
       EXPECT_EQ(between(run, branch, largest).loops.size(), 1U);
       EXPECT_THROW(between(run, branch, 1.011 * largest), Error);
       EXPECT_THAT(error.message(), testing::Not(testing::HasSubstr("do not cross")));
+    }
+  }
+}
+
+// Of an end that is oblique, and beside the axis, less fits than what the axes leave room for.
+TEST(FilletPart, names_the_largest_radius_that_ends_inside) {
+  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
+  for (const Vec3& from : {Vec3(0, 0, 1), Vec3(0, 0.5, -0.25), Vec3(1, -2, 0.125)}) {
+    for (const Vec3& to : {Vec3(0, 15, 1), Vec3(3, 14, 0), Vec3(-6, 16, 2)}) {
+      Part branch = pipe("branch", from, to, 3.9375);
+      const std::string why = refusal(assembly({run, branch, fillet("f", "run", "branch", 0.01)}));
+      const std::string named = "; there a radius of ";
+      const std::size_t at = why.find(named);
+      ASSERT_NE(at, std::string::npos) << why;
+      const double largest = std::stod(why.substr(at + named.size()));
+      const auto with = [&](double radius) {
+        branch = pipe("branch", from, to, radius);
+        return refusal(assembly({run, branch, fillet("f", "run", "branch", 0.01)}));
+      };
+      EXPECT_EQ(with(largest), "");
+      EXPECT_NE(with(1.0001 * largest), "");
     }
   }
 }

@@ -100,6 +100,19 @@ TEST(Expression, refuses_bad_text_with_the_place) {
   EXPECT_THROW((void)Expression::parse(std::string(5000, '(')), Error);
 }
 
+TEST(Expression, names_whole_characters) {
+  for (const auto& [text, character] :
+       {std::pair("a + \u00e9", "'\u00e9'"), {"a \u20ac b", "'\u20ac'"}, {"a + %", "'%'"}}) {
+    try {
+      (void)Expression::parse(text);
+      FAIL() << "should have thrown";
+    } catch (const Error& error) {
+      EXPECT_NE(error.message().find(std::string("not ") + character), std::string::npos)
+          << error.message();
+    }
+  }
+}
+
 TEST(Expression, refuses_operands_it_does_not_know) {
   try {
     (void)evaluate(Expression::parse("a + nothing"), operands());

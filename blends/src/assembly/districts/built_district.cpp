@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "assembly/bore.h"
+#include "assembly/cost_limit.h"
 #include "assembly/districts/common_rings.h"
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
@@ -242,6 +244,7 @@ class Builder {
         assembly::kept_out_of_solids(bore, assembly_, resolved_, walls);
     built_.grid = piece_ ? piece_->grid
                          : assembly::lattice_of_bores(assembly_, resolved_, bore.resolved, walls);
+    refuse_too_costly(bore, solid_parts, walls);
     const Solid whole = outer(resolved_, bore_rings(bore));
     std::set<std::string> open = exposed_names(whole);
     std::erase_if(open, [names = seam_names()](const auto& end) { return names.contains(end); });
@@ -261,6 +264,34 @@ class Builder {
       cross_check(built_.solid,
                   built_.region == Region::metal ? SetOperation::subtract : SetOperation::intersect,
                   both);
+    }
+  }
+
+  // Each alone is asked again when it is made; only here is it known what would do for all, with
+  // bores that may become longer.
+  void refuse_too_costly(const assembly::SelectedParts& bore, const ResolvedAssembly& solid_parts,
+                         const std::vector<double>& walls) const {
+    if (piece_) {
+      return;
+    }
+    assembly::SelectedParts longest = bore;
+    assembly::refuse_too_costly(
+        assembly_, {&resolved_, &bore.resolved, &solid_parts}, built_.grid, options_.most_triangles,
+        assembly::tolerance_within_walls(std::numeric_limits<double>::infinity(), walls), [&] {
+          lengthen_everywhere(longest, walls);
+          return &longest.resolved;
+        });
+  }
+
+  // Ends that stay closed need no room for that.
+  void lengthen_everywhere(assembly::SelectedParts& bore, const std::vector<double>& walls) const {
+    std::set<std::string> ends;
+    for (const ResolvedPart& part : resolved_.parts) {
+      ends.insert(part.end_names.begin(), part.end_names.end());
+    }
+    try {
+      assembly::lengthen_out_of(bore, assembly_, resolved_, walls, ends);
+    } catch (const Error&) {
     }
   }
 
