@@ -39,16 +39,12 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::C
 }  // namespace
 }  // namespace dupin::meshing
 
-namespace CGAL {
-
 // Before it throws, the generator would write all it has into files of the working folder, and say
 // so on standard error.
 template <>
-struct Dump_c3t3<dupin::meshing::Complex, true> {
+struct CGAL::Dump_c3t3<dupin::meshing::Complex, true> {
   void dump_c3t3(const dupin::meshing::Complex&, const std::string&) const {}
 };
-
-}  // namespace CGAL
 
 namespace dupin::meshing {
 namespace {
