@@ -286,8 +286,9 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
   }
 }
 
-void refuse_too_costly(const Assembly& assembly, std::vector<const ResolvedAssembly*> sets_of_parts,
-                       double grid, std::size_t most, double coarsest,
+void refuse_too_costly(const Assembly& assembly,
+                       const std::vector<const ResolvedAssembly*>& sets_of_parts, double grid,
+                       std::size_t most, double coarsest,
                        const std::function<const ResolvedAssembly*()>& later) {
   const Limit limit = limit_of(most);
   std::vector<std::vector<WeldedRun>> runs(sets_of_parts.size() + 1);

@@ -22,8 +22,9 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
 /// The same for each of several sets of parts, as outsides and bores are, where tolerances above
 /// `coarsest` are none. The tolerance that would do does for all of them, and for those of `later`,
 /// which is asked only then.
-void refuse_too_costly(const Assembly& assembly, std::vector<const ResolvedAssembly*> sets_of_parts,
-                       double grid, std::size_t most, double coarsest,
+void refuse_too_costly(const Assembly& assembly,
+                       const std::vector<const ResolvedAssembly*>& sets_of_parts, double grid,
+                       std::size_t most, double coarsest,
                        const std::function<const ResolvedAssembly*()>& later);
 
 /// How many triangles the meshes of all parts together will have, roughly. As quick. `given` has
