@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <random>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "dupin/kernel/mesh.h"
 
@@ -65,6 +68,18 @@ inline TriMesh random_tiled_box(std::mt19937& random, int most_tiles = 4) {
     along.erase(std::unique(along.begin(), along.end()), along.end());
   }
   return tiled_box(cuts, random);
+}
+
+/// Turned about the origin by the same angle as all others, so that sides which had one plane, and
+/// edges which had one line, are off it by what rounding has left.
+inline TriMesh turned_tiled_box(std::mt19937& random, int most_tiles = 4) {
+  TriMesh mesh = random_tiled_box(random, most_tiles);
+  const Eigen::AngleAxisd turn(std::sqrt(0.7),
+                               Vec3(1, std::sqrt(2.0), std::sqrt(3.0)).normalized());
+  for (Vec3& point : mesh.points) {
+    point = turn * point;
+  }
+  return mesh;
 }
 
 }  // namespace dupin::test

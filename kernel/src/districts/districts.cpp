@@ -15,6 +15,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
+#include "districts/box_cover.h"
 #include "dupin/kernel/error.h"
 #include "exact/exact_numbers.h"
 #include "mesh/exact_mesh.h"
@@ -73,6 +74,20 @@ class Containment {
     return found != around.end();
   }
 
+  /// Whether the interiors of all together contain the triangle between places in these corners.
+  [[nodiscard]] bool covers(const std::array<Eigen::AlignedBox3d, 3>& corners,
+                            districts::Polygon triangle) const {
+    Eigen::AlignedBox3d all = corners[0];
+    all.extend(corners[1]).extend(corners[2]);
+    std::vector<TreeEntry> around;
+    tree_.query(boost::geometry::index::intersects(tree_box(all)), std::back_inserter(around));
+    Boxes boxes;
+    for (const TreeEntry& entry : around) {
+      boxes.push_back(boxes_[entry.second]);
+    }
+    return districts::is_covered(std::move(triangle), boxes);
+  }
+
  private:
   static bool is_inside(const std::array<Eigen::AlignedBox3d, 3>& corners,
                         const Eigen::AlignedBox3d& box) {
@@ -87,13 +102,17 @@ class Containment {
   std::size_t last_ = support::kNone;
 };
 
-/// Where a point of a mesh is, exactly or within what doubles tell.
-template <class BoxOfPoint>
+/// Where a point of a mesh is, exactly or within what doubles tell; and exactly. Rounding may make
+/// one of triangles that lie in several boxes.
+template <class BoxOfPoint, class PlaceOfPoint>
 bool lie_in(const std::vector<Triangle>& triangles, const Boxes& boxes,
-            const BoxOfPoint& box_of_point) {
+            const BoxOfPoint& box_of_point, const PlaceOfPoint& place_of_point) {
   Containment containment(boxes);
   return std::ranges::all_of(triangles, [&](const Triangle& t) {
-    return containment.contains({box_of_point(t[0]), box_of_point(t[1]), box_of_point(t[2])});
+    const std::array corners{box_of_point(t[0]), box_of_point(t[1]), box_of_point(t[2])};
+    return containment.contains(corners) ||
+           containment.covers(corners,
+                              {place_of_point(t[0]), place_of_point(t[1]), place_of_point(t[2])});
   });
 }
 
@@ -404,15 +423,22 @@ Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes) {
 bool lies_in(const Solid& solid, const Boxes& boxes) {
   // A double between a place that is none and the next box side, which is one: comparing the
   // nearest double strictly is comparing the place.
-  return lie_in(solid.triangles(), boxes, [&](std::uint32_t point) {
+  const auto box_of_point = [&](std::uint32_t point) {
     const Vec3& place = solid.nearest_points()[point];
     return Eigen::AlignedBox3d(place, place);
+  };
+  return lie_in(solid.triangles(), boxes, box_of_point, [&](std::uint32_t point) {
+    const mesh::ExactPoint place = mesh::exact_point(solid.exact(), point);
+    const mpq_class weight = exact::rational(place[3]);
+    return std::array<mpq_class, 3>{exact::rational(place[0]) / weight,
+                                    exact::rational(place[1]) / weight,
+                                    exact::rational(place[2]) / weight};
   });
 }
 
 bool lies_in(const Rounded& rounded, const Boxes& boxes) {
   const Vec3& origin = rounded.report().origin;
-  return lie_in(rounded.mesh().triangles, boxes, [&](std::uint32_t point) {
+  const auto box_of_point = [&](std::uint32_t point) {
     const Vec3 place = rounded.mesh().points[point] + origin;
     Eigen::AlignedBox3d around(place, place);
     for (int k = 0; k < 3; ++k) {
@@ -422,6 +448,14 @@ bool lies_in(const Rounded& rounded, const Boxes& boxes) {
       }
     }
     return around;
+  };
+  return lie_in(rounded.mesh().triangles, boxes, box_of_point, [&](std::uint32_t point) {
+    std::array<mpq_class, 3> place;
+    for (int k = 0; k < 3; ++k) {
+      place.at(static_cast<std::size_t>(k)) =
+          mpq_class(rounded.mesh().points[point][k]) + mpq_class(origin[k]);
+    }
+    return place;
   });
 }
 

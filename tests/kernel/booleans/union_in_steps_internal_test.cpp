@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <random>
 #include <string>
 
 #include <tbb/global_control.h>
@@ -10,6 +11,7 @@
 #include "kernel/same_solid.h"
 #include "mesh/exact_mesh.h"
 #include "support/shapes.h"
+#include "support/tiled_boxes.h"
 
 namespace dupin::booleans {
 namespace {
@@ -43,6 +45,21 @@ TEST(UnionInSteps, is_the_union_at_once) {
     const Solid steps = in_steps(solids), once = at_once(solids);
     expect_alike(steps, once);
     EXPECT_LE(steps.triangle_count(), once.triangle_count()) << "pieces were merged";
+    test::expect_valid(steps);
+  }
+}
+
+// Pieces may be so small that doubles do not tell their points apart.
+TEST(UnionInSteps, is_the_union_at_once_of_what_all_but_lies_in_one_plane) {
+  std::mt19937 random(0);
+  for (int scene = 0; scene < 40; ++scene) {
+    SCOPED_TRACE(scene);
+    std::vector<Solid> solids;
+    for (int i = 0; i < 10; ++i) {
+      solids.push_back(Solid::from(test::turned_tiled_box(random, 3)));
+    }
+    const Solid steps = in_steps(solids);
+    test::expect_same_solid(steps, at_once(solids));
     test::expect_valid(steps);
   }
 }

@@ -8,8 +8,10 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/districts.h"
 #include "dupin/kernel/rounding.h"
 #include "support/pipe_unions.h"
+#include "support/tiled_boxes.h"
 
 namespace dupin {
 namespace {
@@ -142,6 +144,36 @@ TEST(PinchedUnions, that_touch_themselves_along_a_step_do_so_in_a_point) {
     EXPECT_TRUE(report.is_solid());
     EXPECT_LT(rounded.report().largest_move, 16 * Pinched::kStep);
     EXPECT_NEAR(report.volume, exact.volume(), report.area * Pinched::kStep);
+  }
+}
+
+// Nearly flat surfaces of several operands: an edge that is flipped past a notch would leave a fin
+// there without thickness, far outside of all.
+TEST(RoundedUnionsOfTurnedBoxes, stay_where_they_are) {
+  std::mt19937 random(0);
+  for (int scene = 0; scene < 150; ++scene) {
+    std::vector<Solid> solids;
+    Boxes boxes;
+    for (int i = 0; i < 2 + scene % 3; ++i) {
+      const TriMesh mesh = test::turned_tiled_box(random);
+      Eigen::AlignedBox3d box;
+      for (const Vec3& point : mesh.points) {
+        box.extend(point);
+      }
+      boxes.push_back(box);
+      solids.push_back(Solid::from(mesh));
+    }
+    const Solid exact = unite(solids);
+    for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
+      const Rounded rounded = to_mesh(exact, target);
+      const double move = 1.001 * rounded.report().largest_move + 1e-15;
+      Boxes wide = boxes;
+      for (Eigen::AlignedBox3d& box : wide) {
+        box = Eigen::AlignedBox3d(box.min().array() - move, box.max().array() + move);
+      }
+      EXPECT_TRUE(lies_in(rounded, wide)) << scene << ", " << move;
+      EXPECT_TRUE(check(rounded.mesh()).is_solid());
+    }
   }
 }
 

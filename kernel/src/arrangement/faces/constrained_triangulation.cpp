@@ -83,12 +83,18 @@ void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a,
 void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
   const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
   Eigen::AlignedBox2d box;
+  double doubt = 0;  // how far a point may be off, in either coordinate
   for (const PointId id : ids) {
     const Vec3 p = points_.approximation(id);
     box.extend(Eigen::Vector2d(p[u], p[v]));
+    for (const int axis : {u, v}) {
+      const Interval at = points_.interval(id, axis);
+      doubt = std::max({doubt, at.sup() - at.inf(), 0x1p-52 * std::abs(p[axis])});
+    }
   }
   const Eigen::Vector2d center = box.center();
-  const double size = 2 * box.diagonal().norm();
+  // Of a face as small as that, all points may look like one.
+  const double size = std::max(2 * box.diagonal().norm(), 16 * doubt);
   const double high = projection_.orientation > 0 ? size : -size;
   const Vertex a = add_frame_corner(center[0] - 2 * size, center[1] - high);
   const Vertex b = add_frame_corner(center[0] + 2 * size, center[1] - high);

@@ -24,7 +24,26 @@ Triangle replaced(Triangle triangle, std::uint32_t from, std::uint32_t to) {
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).norm() / 2; }
 
-/// The least height of a tetrahedron: how far the flip of one of its edges moves the surface.
+/// Over the longest side.
+double least_height(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  return longest > 0 ? 2 * area(a, b, c) / longest : 0;
+}
+
+/// How far the triangles on both sides of c d reach out of the quadrilateral a d b c if it is not
+/// convex. One that is turned the wrong way lies beside it, with two sides in common; and no point
+/// of a triangle is farther from any two of its sides than its least height.
+double overhang(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 normal = (b - a).cross(c - a) + (a - b).cross(d - b);
+  const auto reach_out = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return (q - p).cross(r - p).dot(normal) > 0 ? 0 : least_height(p, q, r);
+  };
+  return std::max(reach_out(a, d, c), reach_out(d, b, c));
+}
+
+/// The least height of a tetrahedron: how far the flip of one of its edges moves the surface, if
+/// its corners are those of a convex quadrilateral.
 double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double volume = std::abs((b - a).cross(c - a).dot(d - a)) / 6;
   const double base = std::max({area(a, b, c), area(a, b, d), area(a, c, d), area(b, c, d)});
@@ -267,11 +286,12 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
     return false;
   }
   const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
-  const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd);
+  const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd) +
+                       overhang(pa, pb, pc, pd);
   const double mine = area(pa, pb, pc), others = area(pa, pb, pd);
   const bool mixes = !labels_.empty() && labels_[parent_[face]] != labels_[parent_[*across]];
   const bool needle = 2 * std::min(mine, others) <= rule.reach * (pa - pb).norm();
-  if (moved > rule.reach || (mixes && !needle)) {
+  if (!(moved <= rule.reach) || (mixes && !needle)) {
     return false;
   }
   const std::array<Triangle, 2> before = {triangles_[face], triangles_[*across]};

@@ -90,6 +90,40 @@ TEST_F(Edit, gives_no_area_to_another_class) {
   EXPECT_TRUE(check(result(plain)).is_solid());
 }
 
+// A plate of a quadrilateral b c a d, whose top is divided from a to b; a may be a notch, and
+// lower.
+TriMesh plate(const Vec3& a) {
+  TriMesh mesh;
+  for (const double z : {0., 1.}) {
+    for (const Vec3& corner : {Vec3(3, 0, 0), Vec3(-1, 1, 0), a, Vec3(-1, -1, 0)}) {
+      mesh.points.emplace_back(corner.x(), corner.y(), z > 0 ? z + corner.z() : z);
+    }
+  }
+  mesh.triangles = {{4, 5, 6}, {4, 6, 7}, {0, 2, 1}, {0, 3, 2}};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t next = (i + 1) % 4;
+    mesh.triangles.push_back({i, next, next + 4});
+    mesh.triangles.push_back({i, next + 4, i + 4});
+  }
+  return mesh;
+}
+
+TEST_F(Edit, flips_no_triangle_out_of_a_notch) {
+  const auto flips = [this](const Vec3& a, double reach) {
+    shape = plate(a);
+    EXPECT_TRUE(check(shape).is_solid());
+    labels.assign(shape.triangles.size(), 0);
+    representatives = support::numbers_below(shape.points.size());
+    EditedMesh edited = mesh();
+    return edited.flip(0, 2, {FaultRule::none, reach});
+  };
+  EXPECT_TRUE(flips({-2, 0, -1e-6}, 1e-5)) << "a convex one stays where it is";
+  EXPECT_FALSE(flips({0, 0, -1e-6}, 0.99));
+  EXPECT_TRUE(flips({0, 0, -1e-6}, 1.01)) << "as far as the notch is deep";
+  EXPECT_TRUE(flips({-1 + 1e-3, 0, -1e-6}, 1.01e-3));
+  EXPECT_FALSE(flips({-1 + 1e-3, 0, -1e-6}, 0.99e-3));
+}
+
 TEST_F(Edit, finds_the_faces_around_points_after_any_edits) {
   EditedMesh tube = mesh();
   for (std::uint32_t f = 0; f < tube.face_count(); ++f) {
