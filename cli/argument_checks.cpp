@@ -15,9 +15,11 @@
 namespace dupin::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct NamedFile {
   std::string option;
-  std::filesystem::path path;  // whatever links lead there
+  fs::path path;
 };
 
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
@@ -53,29 +55,36 @@ bool writes_new_versions(const CLI::App& command) {
   return std::ranges::find(kCommands, command.get_name()) != kCommands.end();
 }
 
+/// Whatever links lead there; empty for standard output, devices and folders.
+fs::path file_at(const std::string& path) {
+  std::error_code failure;
+  fs::path place = fs::weakly_canonical(fs::absolute(path, failure), failure);
+  const fs::file_type type = fs::status(place, failure).type();
+  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found;
+  return is_file && output_path(path) != "-" ? place : fs::path();
+}
+
 /// Those that are files, or may become one, of the options that are asked for.
 template <class IsWanted>
 std::vector<NamedFile> files_of(const CLI::App& command, const IsWanted& is_wanted) {
-  namespace fs = std::filesystem;
   std::vector<NamedFile> files;
   for (const CLI::Option* option : command.get_options()) {
     if (is_flag(*option) || !is_wanted(*option)) {
       continue;
     }
+    const bool is_named = option->get_name(true).find('=') != std::string::npos;  // NAME=FILE
     for (const std::string& value : option->results()) {
-      std::error_code failure;
-      const fs::path path = fs::weakly_canonical(fs::absolute(value, failure), failure);
-      const fs::file_type type = fs::status(path, failure).type();
-      if (output_path(value) != "-" && !path.empty() &&
-          (type == fs::file_type::regular || type == fs::file_type::not_found)) {
-        files.push_back({name_of(*option), path});
+      const std::size_t name_end = is_named ? value.find('=') : std::string::npos;
+      fs::path path = file_at(name_end == std::string::npos ? value : value.substr(name_end + 1));
+      if (!path.empty()) {
+        files.push_back({name_of(*option), std::move(path)});
       }
     }
   }
   return files;
 }
 
-const NamedFile* find(const std::vector<NamedFile>& files, const std::filesystem::path& path) {
+const NamedFile* find(const std::vector<NamedFile>& files, const fs::path& path) {
   const auto found = std::ranges::find(files, path, &NamedFile::path);
   return found != files.end() ? &*found : nullptr;
 }
@@ -114,6 +123,11 @@ void require_sound_arguments(const CLI::App& app, const CLI::App& command) {
   refuse_empty_values(app);
   refuse_empty_values(command);
   refuse_shared_files(command);
+}
+
+bool are_one_file(const std::string& first, const std::string& second) {
+  const fs::path place = file_at(first);
+  return !place.empty() && place == file_at(second);
 }
 
 }  // namespace dupin::cli

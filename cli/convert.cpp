@@ -5,6 +5,7 @@
 
 #include <CLI/App.hpp>
 
+#include "argument_checks.h"
 #include "commands.h"
 #include "document.h"
 #include "dupin/io/assembly_json.h"
@@ -55,6 +56,9 @@ ExitCode write_document(const Input& input, const ConvertArguments& all,
     throw UsageError(
         "convert makes a document of a graph or piping file, such as OUT.json; build "
         "makes a mesh of it");
+  }
+  if (are_one_file(all.files.input, path)) {
+    throw UsageError("OUT would take the place of what is read: " + path);
   }
   Document document = read_document(input, all.source, all.walls);
   if (!common.tolerance.empty()) {

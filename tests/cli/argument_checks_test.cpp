@@ -100,6 +100,20 @@ TEST_F(ArgumentChecks, no_output_takes_the_place_of_another_kind_of_input) {
   }
   expect_refused({"union", "a.off", "b.off", "-o", "x.off", "--patches", "b.off"},
                  "--patches would take the place of what is read: ");
+  expect_refused({"boolean", "a + b", "a=a.off", "b=./b.off", "-o", "x.off", "--patches", "b.off"},
+                 "--patches would take the place of what is read: ");
+}
+
+TEST_F(ArgumentChecks, a_graph_does_not_become_a_document_of_its_name) {
+  const std::string graph = "1 0 0 0 0 1 -1\n2 0 9 0 0 1 1\n";
+  folder_.write("g.swc", graph);
+  for (const char* const name : {"g.swc", "./g.swc"}) {
+    const ProcessResult result = dupin({"convert", "g.swc", name});
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("OUT would take the place of what is read: "));
+    EXPECT_EQ(folder_.read("g.swc"), graph);
+  }
+  EXPECT_EQ(dupin({"convert", "g.swc", "g.json"}).exit_code, 0);
 }
 
 TEST_F(ArgumentChecks, many_documents_do_not_become_themselves) {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <Eigen/Geometry>
-
+#include "arrangement/faces/frame.h"
 #include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -81,25 +80,11 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(doub
 void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
 
 void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
-  const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
-  Eigen::AlignedBox2d box;
-  double doubt = 0;  // how far a point may be off, in either coordinate
-  for (const PointId id : ids) {
-    const Vec3 p = points_.approximation(id);
-    box.extend(Eigen::Vector2d(p[u], p[v]));
-    for (const int axis : {u, v}) {
-      const Interval at = points_.interval(id, axis);
-      doubt = std::max({doubt, at.sup() - at.inf(), 0x1p-52 * std::abs(p[axis])});
-    }
-  }
-  const Eigen::Vector2d center = box.center();
-  // Of a face as small as that, all points may look like one.
-  const double size = std::max(2 * box.diagonal().norm(), 16 * doubt);
-  const double high = projection_.orientation > 0 ? size : -size;
-  const Vertex a = add_frame_corner(center[0] - 2 * size, center[1] - high);
-  const Vertex b = add_frame_corner(center[0] + 2 * size, center[1] - high);
-  const Vertex c = add_frame_corner(center[0], center[1] + 2 * high);
-  start(a, b, c);
+  std::array<Vertex, 3> corners{};
+  std::ranges::transform(
+      frame_around(points_, ids, projection_), corners.begin(),
+      [this](const Eigen::Vector2d& at) { return add_frame_corner(at[0], at[1]); });
+  start(corners[0], corners[1], corners[2]);
 }
 
 void ConstrainedTriangulation::start(std::span<const std::array<Vertex, 3>> ears) {
