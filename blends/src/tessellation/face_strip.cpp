@@ -50,7 +50,23 @@ std::size_t FaceStrip::inner_corner(const UnrolledCurve& hole) const {
   return own == hole.corners.end() ? 0 : std::size_t(own - hole.corners.begin());
 }
 
+// What is between two such would be a piece of the face by itself. Those that cross are refused
+// later, so that all corners are inside, or none; on the border they may seem to be either.
+void FaceStrip::refuse_nested() const {
+  const auto is_inside = [this](const UnrolledCurve& hole, const UnrolledCurve& other) {
+    return &hole != &other && other.low <= hole.low && hole.high <= other.high &&
+           std::ranges::all_of(hole.places,
+                               [&](const Vec2& place) { return is_below(other, place); });
+  };
+  for (const UnrolledCurve* hole : holes_) {
+    if (std::ranges::any_of(holes_, [&](const auto* other) { return is_inside(*hole, *other); })) {
+      throw Error(Errc::self_intersecting, "a curve on a tube's face lies inside another one");
+    }
+  }
+}
+
 void FaceStrip::append_triangles(std::vector<Triangle>& triangles, const NewCorner& new_corner) {
+  refuse_nested();
   find_cut();
   append_outline(new_corner);
   for (const UnrolledCurve* hole : holes_) {

@@ -27,11 +27,12 @@ class FaceStrip {
   void add(const UnrolledCurve& hole) { holes_.push_back(&hole); }
 
   /// By `refined_region`, of what is so wide at most. Throws Error{self_intersecting} where curves
-  /// cross or touch.
+  /// cross or touch, or one hole lies inside another.
   void append_triangles(std::vector<Triangle>& triangles, const NewCorner& new_corner);
 
  private:
   [[nodiscard]] std::size_t inner_corner(const UnrolledCurve& hole) const;
+  void refuse_nested() const;
   [[nodiscard]] bool is_below(const UnrolledCurve& curve, const Vec2& place) const;
   template <class Visit>
   void for_each_side(const UnrolledCurve& curve, double x, const Visit& visit) const;

@@ -27,7 +27,8 @@ struct TrimmedFace {
 /// is within R (1 - cos(angle / 2)) of the face, `angle` being what it spans about the axis:
 /// `error_bound`.
 ///
-/// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
+/// Throws Error{self_intersecting} where curves cross, pass a ring that is kept, or lie one inside
+/// another.
 [[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);
 
 /// How many triangles trimmed_face() makes, about, of which curves may be told by a few points

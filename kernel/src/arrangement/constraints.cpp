@@ -12,7 +12,6 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/disjoint_sets.h"
-#include "support/sequences.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {

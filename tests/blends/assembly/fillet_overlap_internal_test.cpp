@@ -72,6 +72,20 @@ TEST(FilletOverlap, says_where_no_ball_would_fit) {
       "it overlaps 'at-a' on 'run'");
 }
 
+// A branch inside another one: its own edge would be where the other has cut the run away.
+TEST(FilletOverlap, is_told_of_what_lies_inside_another) {
+  for (const auto& [from, to] :
+       {std::pair(Vec3(0, 0, 0), Vec3(0, 0, 50)), {{1, 2, 0}, {2, 2, 50}}}) {
+    for (const double radius : {0.5, 3.0}) {
+      Assembly nested = document(from, to, fillet("at-b", "run", "b", radius));
+      nested.parts[2] = pipe("b", from, to, 3);
+      EXPECT_THAT(refused(nested), testing::HasSubstr("it overlaps 'at-a' on 'run'"));
+      nested.parts[4] = {"at-b", CopeOfEnd{{"b", End::start}, "run"}};
+      EXPECT_EQ(refused(nested), "it overlaps 'at-a' on 'run'");
+    }
+  }
+}
+
 // Pipes that are equal, and whose axes miss each other by a hair: not every row of triangles fits.
 // Their loops all but meet themselves behind the pipes.
 TEST(FilletOverlap, is_not_claimed_of_pipes_that_are_nearly_equal) {

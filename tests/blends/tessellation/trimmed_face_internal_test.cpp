@@ -168,6 +168,11 @@ TEST(TrimmedFace, refuses_curves_that_cross_or_leave) {
             Errc::self_intersecting);
   EXPECT_EQ(refusal({frustum.hole(0, 3.5, 1, 1, 20)}), Errc::self_intersecting);
   EXPECT_EQ(refusal({frustum.hole(0, 3, 1, 1, 20)}), Errc::self_intersecting) << "it touches";
+  for (const double at : {0., 3.1}) {
+    EXPECT_EQ(refusal({frustum.hole(at, 2, 1, 1, 20), frustum.hole(at + 0.1, 2, 0.5, 0.4, 33)}),
+              Errc::self_intersecting)
+        << "one lies inside another";
+  }
 }
 
 }  // namespace
