@@ -52,8 +52,8 @@ void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& 
   }
 }
 
-/// Whether each triangle lies in the interior of one of the boxes, by exact comparisons. O(n) where
-/// triangles in the same box follow one another.
+/// Whether each triangle lies in the interiors of the boxes, together, exactly. O(n) where those in
+/// the same box follow one another, and few need several.
 [[nodiscard]] bool lies_in(const Solid& solid, const Boxes& boxes);
 /// The same of the mesh where the solid is, whatever origin was subtracted.
 [[nodiscard]] bool lies_in(const Rounded& rounded, const Boxes& boxes);
