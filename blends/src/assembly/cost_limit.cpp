@@ -238,7 +238,7 @@ std::string what_would_do(std::span<const Estimator> estimators, const Assembly&
                           double coarsest) {
   const auto enough = tolerance_that_would_do(estimators, assembly);
   if (!enough) {
-    return "; fewer segments would do, smaller parts, or a higher limit";
+    return "; fewer segments may do, smaller parts, or a higher limit";
   }
   return *enough <= coarsest
              ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"

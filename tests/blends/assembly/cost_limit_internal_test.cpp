@@ -193,8 +193,7 @@ TEST(CostLimit, says_what_is_asked_for) {
        R"("segments": 60000, )",
        "60000 segments and a tolerance of 0.05 ask for 60000 segments around this part, whose "
        "triangles lie side by side: about 1.81e+09 pairs to compare; the limit is 40 million; "
-       "fewer "
-       "segments would do, smaller parts, or a higher limit"},
+       "fewer segments may do, smaller parts, or a higher limit"},
   };
   for (const auto& [row, keys, message] : table) {
     EXPECT_EQ(refusal(document(row, keys)), message);
