@@ -427,13 +427,8 @@ bool lies_in(const Solid& solid, const Boxes& boxes) {
     const Vec3& place = solid.nearest_points()[point];
     return Eigen::AlignedBox3d(place, place);
   };
-  return lie_in(solid.triangles(), boxes, box_of_point, [&](std::uint32_t point) {
-    const mesh::ExactPoint place = mesh::exact_point(solid.exact(), point);
-    const mpq_class weight = exact::rational(place[3]);
-    return std::array<mpq_class, 3>{exact::rational(place[0]) / weight,
-                                    exact::rational(place[1]) / weight,
-                                    exact::rational(place[2]) / weight};
-  });
+  return lie_in(solid.triangles(), boxes, box_of_point,
+                [&](std::uint32_t point) { return solid.exact_point(point); });
 }
 
 bool lies_in(const Rounded& rounded, const Boxes& boxes) {
