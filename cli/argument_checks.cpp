@@ -4,10 +4,12 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 
+#include "dupin/io/atomic_file.h"
 #include "exit_code.h"
 #include "output.h"
 
@@ -54,12 +56,13 @@ bool writes_new_versions(const CLI::App& command) {
   return std::ranges::find(kCommands, command.get_name()) != kCommands.end();
 }
 
-/// Whatever links lead there; empty for standard output, devices and folders.
+/// Whatever links lead there; empty for standard output, devices and pipes.
 fs::path file_at(const std::string& path) {
   std::error_code failure;
   fs::path place = fs::weakly_canonical(fs::absolute(path, failure), failure);
   const fs::file_type type = fs::status(place, failure).type();
-  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found;
+  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found ||
+                       type == fs::file_type::directory;
   return is_file && output_path(path) != "-" ? place : fs::path();
 }
 
@@ -88,15 +91,22 @@ const NamedFile* find(const std::vector<NamedFile>& files, const fs::path& path)
   return found != files.end() ? &*found : nullptr;
 }
 
+[[noreturn]] void refuse_in_place(const NamedFile& output) {
+  throw UsageError(output.option +
+                   " would take the place of what is read: " + output.path.string());
+}
+
 void refuse_in_place_of(const std::vector<NamedFile>& inputs,
                         const std::vector<NamedFile>& outputs) {
   for (const NamedFile& file : outputs) {
     if (find(inputs, file.path) != nullptr) {
-      throw UsageError(file.option +
-                       " would take the place of what is read: " + file.path.string());
+      refuse_in_place(file);
     }
   }
 }
+
+/// Of the command that is run, of which there is one in a process.
+std::vector<NamedFile> the_outputs;
 
 void refuse_shared_files(const CLI::App& command) {
   const std::vector<NamedFile> inputs = files_of(command, is_input);
@@ -114,6 +124,7 @@ void refuse_shared_files(const CLI::App& command) {
     }
     outputs.push_back(file);
   }
+  the_outputs = std::move(outputs);
 }
 
 }  // namespace
@@ -122,6 +133,19 @@ void require_sound_arguments(const CLI::App& app, const CLI::App& command) {
   refuse_empty_values(app);
   refuse_empty_values(command);
   refuse_shared_files(command);
+}
+
+void require_writable_outputs() {
+  for (const NamedFile& output : the_outputs) {
+    writing([&] { (void)AsideFile(output.path); });
+  }
+}
+
+void require_not_written(const std::string& path) {
+  const fs::path place = file_at(path);
+  if (const NamedFile* const output = place.empty() ? nullptr : find(the_outputs, place)) {
+    refuse_in_place(*output);
+  }
 }
 
 bool are_one_file(const std::string& first, const std::string& second) {

@@ -14,6 +14,14 @@ namespace dupin::cli {
 /// Throws UsageError.
 void require_sound_arguments(const CLI::App& app, const CLI::App& command);
 
+/// Before anything is computed: a file can be put where each output of that command goes. Throws
+/// OutputError. What fails later, as a disk that is full then, is said later.
+void require_writable_outputs();
+
+/// The first of it, of a file that is only known to be read when another one is: no output of the
+/// command takes its place. Throws UsageError.
+void require_not_written(const std::string& path);
+
 /// Whether both paths lead to one file, there or to be. Not for standard input or output.
 [[nodiscard]] bool are_one_file(const std::string& first, const std::string& second);
 

@@ -1,12 +1,15 @@
 #include "document.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 
+#include "argument_checks.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/graph_file.h"
@@ -91,6 +94,28 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
                    "Lines of a piping file that are not understood count (exit code 1)");
 }
 
+// As the document names them.
+std::vector<std::string> meshes_avoided_by(const PartShape& shape) {
+  const auto* const avoidance = std::visit(
+      [](const auto& kind) -> const Avoidance* {
+        if constexpr (requires { kind.avoid; }) {
+          return kind.avoid ? &*kind.avoid : nullptr;
+        } else {
+          return nullptr;
+        }
+      },
+      shape);
+  std::vector<std::string> files;
+  if (avoidance != nullptr) {
+    for (const auto& obstacle : avoidance->obstacles) {
+      if (const auto* const mesh = std::get_if<MeshObstacle>(&obstacle)) {
+        files.push_back(mesh->file);
+      }
+    }
+  }
+  return files;
+}
+
 // Without the wall, but of a piping file.
 Document document_of(const Input& input, const SourceArguments& arguments, const std::string& wall,
                      const Progress& progress) {
@@ -131,6 +156,15 @@ Document document_of(const Input& input, const SourceArguments& arguments, const
 }
 
 }  // namespace
+
+void require_meshes_not_written(const Assembly& assembly) {
+  const std::filesystem::path folder = std::filesystem::path(assembly.source).parent_path();
+  for (const Part& part : assembly.parts) {
+    for (const std::string& file : meshes_avoided_by(part.shape)) {
+      require_not_written((folder / file).string());
+    }
+  }
+}
 
 Assembly read_document(const std::string& path) {
   return read_document(path, SourceArguments{}).assembly;
@@ -190,6 +224,7 @@ Document read_document(const std::string& path, const SourceArguments& arguments
 Document read_document(const Input& input, const SourceArguments& arguments,
                        const WallArguments& walls, const Progress& progress) {
   Document document = document_of(input, arguments, walls.wall, progress);
+  require_meshes_not_written(document.assembly);
   const auto apply = [&](Assembly& assembly) {
     if (!walls.wall.empty()) {
       assembly.wall = length_in(assembly.unit, walls.wall, 0);

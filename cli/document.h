@@ -61,6 +61,10 @@ struct Document {
                                      const WallArguments& walls = {},
                                      const Progress& progress = {});
 
+/// No output may take the place of the meshes that a document names, which read_document asks of
+/// it. Throws UsageError.
+void require_meshes_not_written(const Assembly& assembly);
+
 /// Whether it is a graph or a piping file.
 [[nodiscard]] bool is_source(const Input& input);
 [[nodiscard]] bool is_graph(const Input& input);

@@ -10,6 +10,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "document.h"
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
@@ -268,7 +269,9 @@ ExitCode run_placement(const EditArguments& arguments, const CommonOptions& comm
         "--on-locus or --part; edit twice");
   }
   const Input input = read_input(arguments.file);
-  const Unit unit = parse_assembly(input.bytes, input.name).unit;
+  const Assembly before = parse_assembly(input.bytes, input.name);
+  require_meshes_not_written(before);
+  const Unit unit = before.unit;
   const PlacedDocument after =
       placed_document(input.bytes, input.name, placement(arguments.placement, unit));
   check_placement(parse_assembly(after.text, input.name));
@@ -291,6 +294,7 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   }
   const Input input = read_input(arguments.file);
   const Assembly before = parse_assembly(input.bytes, input.name);
+  require_meshes_not_written(before);
   const std::uint32_t part =
       find_chain(before, arguments.part.empty() ? std::nullopt : std::optional(arguments.part));
   const Edit edit(arguments, before, part);

@@ -81,6 +81,7 @@ int perform(const Action& action, const CLI::App& command, const CommonOptions& 
       refuse_mpirun(command.get_name());
     }
     require_sound_arguments(*command.get_parent(), command);
+    require_writable_outputs();
     const ExitCode code = action(common);
     std::cout.flush();
     if (!std::cout && !has_lost_reader()) {

@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 
+#include "argument_checks.h"
 #include "commands.h"
 #include "document.h"
 #include "dupin/blends/certify.h"
@@ -42,7 +43,12 @@ std::string page_path(const ReportArguments& arguments) {
     throw UsageError("of standard input, say -o where the page goes");
   }
   const std::filesystem::path name = std::filesystem::path(arguments.file).filename();
-  return std::filesystem::path(name).replace_extension(".html").string();
+  std::string page = std::filesystem::path(name).replace_extension(".html").string();
+  if (are_one_file(page, arguments.file) || are_one_file(page, arguments.certificate)) {
+    throw UsageError("the page would take the place of what is read, " + page +
+                     "; say -o where it goes");
+  }
+  return page;
 }
 
 ExitCode tell_result(const std::string& page, std::size_t findings, const CommonOptions& common) {
