@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct NamedFile {
   std::string option;
-  fs::path path;
+  fs::path path, typed;
 };
 
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
@@ -77,9 +77,10 @@ std::vector<NamedFile> files_of(const CLI::App& command, const IsWanted& is_want
     const bool is_named = option->get_name(true).find('=') != std::string::npos;  // NAME=FILE
     for (const std::string& value : option->results()) {
       const std::size_t name_end = is_named ? value.find('=') : std::string::npos;
-      fs::path path = file_at(name_end == std::string::npos ? value : value.substr(name_end + 1));
+      const std::string typed = name_end == std::string::npos ? value : value.substr(name_end + 1);
+      fs::path path = file_at(typed);
       if (!path.empty()) {
-        files.push_back({name_of(*option), std::move(path)});
+        files.push_back({name_of(*option), std::move(path), typed});
       }
     }
   }
@@ -137,7 +138,7 @@ void require_sound_arguments(const CLI::App& app, const CLI::App& command) {
 
 void require_writable_outputs() {
   for (const NamedFile& output : the_outputs) {
-    writing([&] { (void)AsideFile(output.path); });
+    writing([&] { (void)AsideFile(output.typed); });
   }
 }
 
