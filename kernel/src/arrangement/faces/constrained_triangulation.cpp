@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arrangement/faces/frame.h"
+#include "arrangement/faces/plane_frame.h"
 #include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -14,12 +15,14 @@
 namespace dupin::arrangement {
 namespace {
 
+/// From so many faces on, ways through them are kept short: fans have ways as long as they are
+/// wide.
+constexpr std::uint32_t kMany = 512;
+
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr PointId kFrame = ConstrainedTriangulation::kFirstFrameCorner;
-constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
-constexpr std::size_t previous(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
 }  // namespace
 
@@ -69,22 +72,21 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_vertex(const Inte
   return static_cast<Vertex>(vertices_.size() - 1);
 }
 
-ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(double u, double v) {
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(
+    const Eigen::Vector2d& place) {
   const auto id = static_cast<PointId>(kFrame + frame_corners_.size());
   Vec3& corner = frame_corners_.emplace_back(Vec3::Zero());
-  corner[(projection_.axis + 1) % 3] = u;
-  corner[(projection_.axis + 2) % 3] = v;
-  return add_vertex(Interval(u), Interval(v), id, 0);
+  corner[(projection_.axis + 1) % 3] = place[0];
+  corner[(projection_.axis + 2) % 3] = place[1];
+  return add_vertex(Interval(place[0]), Interval(place[1]), id, 0);
 }
 
 void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
 
 void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
-  std::array<Vertex, 3> corners{};
-  std::ranges::transform(
-      frame_around(points_, ids, projection_), corners.begin(),
-      [this](const Eigen::Vector2d& at) { return add_frame_corner(at[0], at[1]); });
-  start(corners[0], corners[1], corners[2]);
+  const std::array<Eigen::Vector2d, 3> frame = frame_around(points_, ids, projection_);
+  const Vertex a = add_frame_corner(frame[0]), b = add_frame_corner(frame[1]);
+  start(a, b, add_frame_corner(frame[2]));
 }
 
 void ConstrainedTriangulation::start(std::span<const std::array<Vertex, 3>> ears) {
@@ -100,12 +102,7 @@ void ConstrainedTriangulation::start(std::span<const std::array<Vertex, 3>> ears
 }
 
 std::uint32_t ConstrainedTriangulation::face_at_frame() const {
-  const auto at_frame = [this](const Face& face) {
-    return std::any_of(face.corners.begin(), face.corners.end(),
-                       [this](Vertex v) { return point(v) >= kFirstFrameCorner; });
-  };
-  return static_cast<std::uint32_t>(std::find_if(faces_.begin(), faces_.end(), at_frame) -
-                                    faces_.begin());
+  return std::ranges::find_if(vertices_, [](const VertexData& v) { return v.id >= kFrame; })->face;
 }
 
 const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoint& scratch) const {
@@ -142,6 +139,18 @@ exact::BallPoint ConstrainedTriangulation::ball(Vertex v) const {
   return *balls_[index];
 }
 
+Vec3 ConstrainedTriangulation::approximation(Vertex v) const {
+  const PointId id = vertices_[v].id;
+  if (id >= kFrame) {
+    return frame_corners_[id - kFrame];
+  }
+  if (id < kNewPoint) {
+    return points_.approximation(id);
+  }
+  const IntervalPoint& box = new_points_[id - kNewPoint].box;
+  return {box[0].sup(), box[1].sup(), box[2].sup()};
+}
+
 int ConstrainedTriangulation::exact_turn(Vertex a, Vertex b, Vertex c) const {
   if (a == b || b == c || c == a) {
     return 0;  // in line, but with no line in common
@@ -174,13 +183,8 @@ std::uint32_t ConstrainedTriangulation::next_random() {
 // What cannot happen as long as the vertices lie in the plane and in the first triangle: in every
 // build an error, so that nothing goes on with a triangulation that is none.
 void ConstrainedTriangulation::fail(Vertex v, const char* what) const {
-  std::string place = "a corner of the frame";
-  if (const PointId id = vertices_[v].id; id < kNewPoint) {
-    place = decimal(points_.approximation(id));
-  } else if (id < kFrame) {
-    const IntervalPoint& box = new_points_[id - kNewPoint].box;
-    place = decimal(Vec3(box[0].sup(), box[1].sup(), box[2].sup()));
-  }
+  const std::string place =
+      vertices_[v].id < kFrame ? decimal(approximation(v)) : "a corner of the frame";
   throw Error(Errc::internal, std::string("internal error, please report it: ") + what +
                                   " in the triangulation at " + place);
 }
@@ -245,10 +249,21 @@ void ConstrainedTriangulation::insert(Vertex p) {
   if (at_p.at_corner) {
     fail(p, "two vertices coincide");
   }
+  const std::size_t before = faces_.size();
+  std::uint32_t beyond = kNone;
   if (at_p.corner == -1) {
     split_face(at_p.face, p);
   } else {
+    beyond = faces_[at_p.face].neighbours[at(at_p.corner)];
     split_edge(at_p.face, at_p.corner, p);
+  }
+  if (faces_.size() >= kMany) {
+    push_edges(before < kMany ? 0 : before, faces_.size());
+    push_edges(at_p.face, at_p.face + 1);
+    push_edges(beyond, beyond == kNone ? beyond : beyond + 1);
+    const int sign = projection_.orientation;
+    const auto place = [&](Vertex v) { return std::array{sign * vertices_[v].u, vertices_[v].v}; };
+    flip_towards_delaunay(place, true);
   }
 }
 
@@ -522,69 +537,64 @@ void ConstrainedTriangulation::attach(std::uint32_t face, int corner, const Link
 }
 
 void ConstrainedTriangulation::flip(std::uint32_t face, int corner) {
-  const auto i = static_cast<std::size_t>(corner);
   const Face f = faces_[face];
-  const std::uint32_t other = f.neighbours[i];
+  const std::uint32_t other = f.neighbours[at(corner)];
   const Face g = faces_[other];
-  const auto j = static_cast<std::size_t>(corner_facing(other, face));
-  const Vertex a = f.corners[i], b = f.corners[next(i)], c = g.corners[j],
-               d = f.corners[previous(i)];
+  const int facing = corner_facing(other, face);
+  const Vertex a = f.corners[at(corner)], b = f.corners[at(next(corner))],
+               c = g.corners[at(facing)], d = f.corners[at(previous(corner))];
   set_face(face, a, b, c);
   set_face(other, a, c, d);
   // g's corners are c, d, b in order.
-  connect(face, 2, f.neighbours[previous(i)], f.slots[previous(i)]);
-  connect(face, 0, g.neighbours[next(j)], g.slots[next(j)]);
-  connect(other, 0, g.neighbours[previous(j)], g.slots[previous(j)]);
-  connect(other, 1, f.neighbours[next(i)], f.slots[next(i)]);
+  connect(face, 2, f.neighbours[at(previous(corner))], f.slots[at(previous(corner))]);
+  connect(face, 0, g.neighbours[at(next(facing))], g.slots[at(next(facing))]);
+  connect(other, 0, g.neighbours[at(previous(facing))], g.slots[at(previous(facing))]);
+  connect(other, 1, f.neighbours[at(next(corner))], f.slots[at(next(corner))]);
   connect(face, 1, other, kNone);
 }
 
-// Each flip lowers the paraboloid lifted over the rounded points, so the loop ends.
-void ConstrainedTriangulation::improve(const Triangle& support) {
-  const Vec3 origin = points_.approximation(support[0]);
-  const Vec3 first = (points_.approximation(support[1]) - origin).normalized();
-  const Vec3 normal = first.cross(points_.approximation(support[2]) - origin).normalized();
-  const Vec3 second = normal.cross(first);
-  planar_.clear();
-  for (const VertexData& v : vertices_) {
-    Vec3 p = origin;
-    if (v.id < kNewPoint) {
-      p = points_.approximation(v.id);
-    } else if (v.id < kNewPoint + new_points_.size()) {
-      const IntervalPoint& box = new_points_[v.id - kNewPoint].box;
-      p = {box[0].sup(), box[1].sup(), box[2].sup()};
-    }
-    planar_.push_back({(p - origin).dot(first), (p - origin).dot(second)});
-  }
-  const auto push = [&](std::uint32_t face) {
+void ConstrainedTriangulation::push_edges(std::size_t begin, std::size_t end) {
+  for (; begin < end; ++begin) {
     for (int i = 0; i < 3; ++i) {
-      edges_.emplace_back(face, i);
+      edges_.emplace_back(static_cast<std::uint32_t>(begin), i);
     }
-  };
-  for (std::uint32_t face = 0; face < faces_.size(); ++face) {
-    push(face);
   }
+}
+
+// Each flip lowers the paraboloid lifted over the places, so the loop ends.
+template <class Place>
+void ConstrainedTriangulation::flip_towards_delaunay(const Place& place, bool also_at_frame) {
+  const auto is_fixed = [&](Vertex v) { return !also_at_frame && point(v) >= kFrame; };
   while (!edges_.empty()) {
-    const auto [face, corner] = edges_.back();
+    const auto [face, i] = edges_.back();
     edges_.pop_back();
-    const auto i = static_cast<std::size_t>(corner);
     const Face& f = faces_[face];
-    const std::uint32_t other = f.neighbours[i];
-    if (other == kNone || f.slots[i] != kNone) {
+    const std::uint32_t other = f.neighbours[at(i)];
+    if (other == kNone || f.slots[at(i)] != kNone) {
       continue;
     }
-    const Vertex a = f.corners[i], b = f.corners[next(i)], d = f.corners[previous(i)];
-    const Vertex c = faces_[other].corners[static_cast<std::size_t>(corner_facing(other, face))];
-    const auto is_frame = [this](Vertex v) { return vertices_[v].id >= kFirstFrameCorner; };
-    if (is_frame(a) || is_frame(b) || is_frame(c) || is_frame(d) ||
-        !predicates::certainly_in_circle(planar_[a], planar_[b], planar_[d], planar_[c]) ||
+    const Vertex a = f.corners[at(i)], b = f.corners[at(next(i))], d = f.corners[at(previous(i))];
+    const Vertex c = faces_[other].corners[at(corner_facing(other, face))];
+    if (is_fixed(a) || is_fixed(b) || is_fixed(c) || is_fixed(d) ||
+        !predicates::certainly_in_circle(place(a), place(b), place(d), place(c)) ||
         certain_turn(a, b, c) <= 0 || certain_turn(a, c, d) <= 0) {
       continue;
     }
-    flip(face, corner);
-    push(face);
-    push(other);
+    flip(face, i);
+    push_edges(face, face + 1);
+    push_edges(other, other + 1);
   }
+}
+
+void ConstrainedTriangulation::improve(const Triangle& support) {
+  const PlaneFrame plane(points_.approximation(support[0]), points_.approximation(support[1]),
+                         points_.approximation(support[2]));
+  planar_.clear();
+  for (Vertex v = 0; v < vertices_.size(); ++v) {
+    planar_.push_back(plane.at(approximation(v)));
+  }
+  push_edges(0, faces_.size());
+  flip_towards_delaunay([this](Vertex v) { return planar_[v]; }, false);
 }
 
 }  // namespace dupin::arrangement

@@ -105,7 +105,7 @@ class ConstrainedTriangulation {
     std::uint32_t face;
   };
 
-  Vertex add_frame_corner(double u, double v);
+  Vertex add_frame_corner(const Eigen::Vector2d& place);
   Vertex add_vertex(const Interval& u, const Interval& v, PointId id, Lines lines);
   [[nodiscard]] FilteredSign filtered_turn(Vertex a, Vertex b, Vertex c) const {
     const VertexData &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
@@ -129,6 +129,8 @@ class ConstrainedTriangulation {
   }
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
   [[nodiscard]] exact::BallPoint ball(Vertex v) const;
+  /// Within rounding; of a corner of the frame, in the projection.
+  [[nodiscard]] Vec3 approximation(Vertex v) const;
   [[nodiscard]] Location locate(Vertex p);
   [[nodiscard]] Location search(Vertex p) const;
   [[nodiscard]] static Location location_in(std::uint32_t face, const std::array<int, 3>& sides);
@@ -155,6 +157,11 @@ class ConstrainedTriangulation {
   std::uint32_t fill(const std::vector<Link>& chain, bool is_left);
   void attach(std::uint32_t face, int corner, const Link& link);
   void flip(std::uint32_t face, int corner);
+  /// Puts the edges of faces among those that may be flipped.
+  void push_edges(std::size_t begin, std::size_t end);
+  /// Of these, and what changes for it; vertices are at place(vertex).
+  template <class Place>
+  void flip_towards_delaunay(const Place& place, bool also_at_frame);
   [[nodiscard]] std::uint32_t next_random();
 
   const PointTable& points_;

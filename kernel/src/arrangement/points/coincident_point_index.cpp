@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrangement/points/implicit_predicates.h"
+#include "exact/residue.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/hash.h"
@@ -14,6 +15,8 @@ namespace {
 
 // Cells of 2^-40 of the extent: intervals of a few ulp (2^-52) rarely reach into a second one.
 constexpr int kCellBits = 40;
+// So many points of a cell are compared with another one each: names are dearer.
+constexpr std::size_t kFew = 16;
 // No cell lies beyond, except those of intervals without bounds.
 constexpr double kLimit = 0x1p60;
 
@@ -90,27 +93,83 @@ CoincidentPointIndex::Cells CoincidentPointIndex::cells_of(PointId id) const {
   return cells;
 }
 
-std::size_t CoincidentPointIndex::slot_of(const Cell& cell) const {
-  std::uint64_t hash = 0;
+std::size_t CoincidentPointIndex::slot_of(const Cell& cell, std::uint64_t name) const {
+  std::uint64_t hash = name;
   for (const std::int64_t x : cell) {
     hash = support::mixed(hash, static_cast<std::uint64_t>(x));
   }
   return static_cast<std::size_t>(hash) & (slots_.size() - 1);
 }
 
-PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {
-  for (std::uint32_t i = slots_[slot_of(cell)]; i != kNone; i = entries_[i].next) {
-    if (entries_[i].cell == cell && coincide(*points_, entries_[i].point, id)) {
-      return entries_[i].point;
+template <class Visit>
+void CoincidentPointIndex::visit_entries(const Cell& cell, std::uint64_t name,
+                                         Visit&& visit) const {
+  for (std::uint32_t i = slots_[slot_of(cell, name)]; i != kNone; i = entries_[i].next) {
+    const Entry& entry = entries_[i];
+    if (entry.cell == cell && entry.name == name && visit(entry)) {
+      return;
     }
   }
-  return kNone;
+}
+
+PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {
+  PointId found = kNone;
+  std::size_t count = 0;
+  visit_entries(cell, 0, [&](const Entry& entry) {
+    ++count;
+    found = coincide(*points_, entry.point, id) ? entry.point : kNone;
+    return found != kNone;
+  });
+  return found != kNone || count < kFew ? found : find_named(id, cell, name_of(id));
+}
+
+PointId CoincidentPointIndex::find_named(PointId id, const Cell& cell, std::uint64_t name) const {
+  PointId found = kNone;
+  if (name != 0) {
+    visit_entries(cell, name, [&](const Entry& entry) {
+      found = coincide(*points_, entry.point, id) ? entry.point : kNone;
+      return found != kNone;
+    });
+    return found;
+  }
+  const auto entry = std::ranges::find_if(entries_, [&](const Entry& e) {
+    return e.cell == cell && e.name != 0 && coincide(*points_, e.point, id);
+  });
+  return entry == entries_.end() ? kNone : entry->point;
+}
+
+bool CoincidentPointIndex::is_crowded(const Cell& cell) const {
+  std::size_t count = 0;
+  visit_entries(cell, 0, [&](const Entry&) { return ++count == kFew; });
+  return count == kFew;
+}
+
+std::uint64_t CoincidentPointIndex::name_of(PointId id) const {
+  const auto residues = exact::residues(points_->exact_value(id));
+  std::uint64_t name = 0;
+  for (std::size_t k = 0; residues && k < 3; ++k) {
+    name = support::mixed(name, (*residues)[k]);
+  }
+  return name;
 }
 
 void CoincidentPointIndex::insert(PointId id, const Cell& cell) {
-  std::uint32_t& head = slots_[slot_of(cell)];
-  entries_.push_back({cell, id, head});
-  head = static_cast<std::uint32_t>(entries_.size() - 1);
+  entries_.push_back({cell, is_crowded(cell) ? name_of(id) : 0, id, kNone});
+  if (entries_.size() <= slots_.size()) {
+    put_in_slot(static_cast<std::uint32_t>(entries_.size() - 1));
+    return;
+  }
+  slots_.assign(2 * slots_.size(), kNone);
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    put_in_slot(i);
+  }
+}
+
+void CoincidentPointIndex::put_in_slot(std::uint32_t index) {
+  Entry& entry = entries_[index];
+  std::uint32_t& head = slots_[slot_of(entry.cell, entry.name)];
+  entry.next = head;
+  head = index;
 }
 
 }  // namespace dupin::arrangement

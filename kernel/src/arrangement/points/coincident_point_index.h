@@ -9,10 +9,12 @@
 namespace dupin::arrangement {
 
 /// Finds points of a table that have the same coordinates, exactly: a hash of grid cells far
-/// smaller than most distances and larger than the points' intervals.
+/// smaller than most distances and larger than the points' intervals. Where many points are in one
+/// cell, as where operands are turned by next to nothing against each other, all but the first few
+/// have names, found from their exact coordinates: points that coincide have the same (residue.h).
 class CoincidentPointIndex {
  public:
-  /// `extent` bounds the magnitude of all coordinates.
+  /// `extent` bounds the magnitude of all coordinates. There may be more points than expected.
   CoincidentPointIndex(PointTable& points, double extent, std::size_t expected_count);
 
   /// Tightens those of the points `begin` to before `end` that first_coincident() would tighten one
@@ -27,6 +29,7 @@ class CoincidentPointIndex {
   using Cell = std::array<std::int64_t, 3>;
   struct Entry {
     Cell cell;
+    std::uint64_t name;  ///< 0 for none
     PointId point;
     std::uint32_t next;
   };
@@ -38,9 +41,17 @@ class CoincidentPointIndex {
   };
 
   [[nodiscard]] Cells cells_of(PointId id) const;
-  [[nodiscard]] std::size_t slot_of(const Cell& cell) const;
+  [[nodiscard]] std::size_t slot_of(const Cell& cell, std::uint64_t name) const;
+  /// The entries with that cell and name, the latest first, until visit(entry) is true.
+  template <class Visit>
+  void visit_entries(const Cell& cell, std::uint64_t name, Visit&& visit) const;
   [[nodiscard]] PointId find(PointId id, const Cell& cell) const;
+  [[nodiscard]] PointId find_named(PointId id, const Cell& cell, std::uint64_t name) const;
+  [[nodiscard]] bool is_crowded(const Cell& cell) const;
+  /// 0 if it can have none.
+  [[nodiscard]] std::uint64_t name_of(PointId id) const;
   void insert(PointId id, const Cell& cell);
+  void put_in_slot(std::uint32_t index);
 
   PointTable* points_;
   double cells_per_unit_;  // a power of two

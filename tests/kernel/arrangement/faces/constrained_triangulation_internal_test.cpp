@@ -37,15 +37,17 @@ class Plane {
   Plane(const Plane&) = delete;
   Plane& operator=(const Plane&) = delete;
 
-  // With `lines`, vertices know on which segments they end.
+  // In a square of side 9. With `lines`, vertices know on which segments they end.
   void fill(std::mt19937& random, std::size_t count, std::size_t segments, bool lines = false) {
-    std::set<std::array<int, 2>> taken;
+    const std::uint32_t grid = count < 40 ? 9 : 36;
+    std::set<std::array<std::uint32_t, 2>> taken;
     while (taken.size() < count) {
-      taken.insert({static_cast<int>(random() % 9), static_cast<int>(random() % 9)});
+      taken.insert({static_cast<std::uint32_t>(random() % grid),
+                    static_cast<std::uint32_t>(random() % grid)});
     }
     std::vector<PointId> ids;
     for (const auto& [x, y] : taken) {
-      ids.push_back(points_.add(Vec3(x, y, 0)));
+      ids.push_back(points_.add(Vec3(x, y, 0) * (9.0 / grid)));
     }
     std::shuffle(ids.begin(), ids.end(), random);
     std::vector<std::array<std::size_t, 2>> ends;
@@ -59,12 +61,8 @@ class Plane {
         ends.push_back({i, k});
       }
     }
-    triangulation_.clear({2, 1});
-    std::vector<Vertex> corners, vertices;
-    for (const PointId id : frame_) {
-      corners.push_back(triangulation_.add(id));
-    }
-    triangulation_.start(corners[0], corners[1], corners[2]);
+    start();
+    std::vector<Vertex> vertices;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       vertices.push_back(triangulation_.add(ids[i], known[i]));
       triangulation_.insert(vertices.back());
@@ -76,6 +74,18 @@ class Plane {
       triangulation_.constrain(vertices[i], vertices[k], slot);
     }
     triangulation_.improve(frame_);
+  }
+
+  // One after the other, on two lines side by side.
+  void insert_two_rows(std::size_t count) {
+    std::vector<PointId> ids;
+    for (std::size_t i = 0; i < count; ++i) {
+      ids.push_back(points_.add(Vec3(static_cast<double>(i) / 64, i % 2 == 0 ? 0 : 1, 0)));
+    }
+    start();
+    for (const PointId id : ids) {
+      triangulation_.insert(triangulation_.add(id));
+    }
   }
 
   [[nodiscard]] Planar at(Vertex v) {
@@ -106,6 +116,14 @@ class Plane {
     std::array<PointId, 2> ends;
     std::vector<std::uint32_t> members;
   };
+  void start() {
+    triangulation_.clear({2, 1});
+    std::array<Vertex, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = triangulation_.add(frame_[static_cast<int>(i)]);
+    }
+    triangulation_.start(corners[0], corners[1], corners[2]);
+  }
   [[nodiscard]] Planar planar(PointId id) const {
     return {mpq_class(points_.coordinates(id).x()), mpq_class(points_.coordinates(id).y())};
   }
@@ -133,11 +151,14 @@ class Plane {
   Triangle frame_{};
 };
 
+// Few, or so many that they are kept nearly Delaunay from the start.
+std::size_t count_for(unsigned seed) { return seed < 60 ? 3 + seed % 30 : 250 + 30 * (seed - 60); }
+
 class ConstrainedTriangulationOf : public testing::TestWithParam<unsigned> {
  protected:
   ConstrainedTriangulationOf() {
     std::mt19937 random(GetParam());
-    plane.fill(random, 3 + GetParam() % 30, GetParam() % 13);
+    plane.fill(random, count_for(GetParam()), GetParam() % 13);
   }
   Plane plane;
 };
@@ -203,7 +224,7 @@ TEST_P(ConstrainedTriangulationOf, points_has_its_segments_for_edges) {
 TEST_P(ConstrainedTriangulationOf, points_is_the_same_with_lines_known_before) {
   std::mt19937 random(GetParam());
   Plane other;
-  other.fill(random, 3 + GetParam() % 30, GetParam() % 13, true);
+  other.fill(random, count_for(GetParam()), GetParam() % 13, true);
   ASSERT_EQ(other.faces().size(), plane.faces().size());
   for (std::size_t f = 0; f < plane.faces().size(); ++f) {
     EXPECT_EQ(other.faces()[f].corners, plane.faces()[f].corners);
@@ -211,7 +232,25 @@ TEST_P(ConstrainedTriangulationOf, points_is_the_same_with_lines_known_before) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, ConstrainedTriangulationOf, testing::Range(0U, 60U));
+INSTANTIATE_TEST_SUITE_P(Random, ConstrainedTriangulationOf, testing::Range(0U, 68U));
+
+// The way to the next vertex would be as long as a fan is wide: inserted as they come, one corner
+// of the frame had the faces of all vertices.
+TEST(ConstrainedTriangulation, has_no_fans_between_many_vertices) {
+  constexpr std::size_t kCount = 1000;
+  Plane plane;
+  plane.insert_two_rows(kCount);
+  std::vector<std::size_t> degree(kCount + 3);
+  std::size_t between = 0;
+  for (const auto& face : plane.faces()) {
+    for (const Vertex v : face.corners) {
+      ++degree[v];
+    }
+    between += std::ranges::all_of(face.corners, [](Vertex v) { return v >= 3; }) ? 1 : 0;
+  }
+  EXPECT_EQ(between, kCount - 2);
+  EXPECT_LE(*std::max_element(degree.begin() + 3, degree.end()), 8U);
+}
 
 // Three points of a line that no doubles hold, and one off it.
 TEST(ConstrainedTriangulation, learns_lines_from_vertices_that_are_in_line_only) {

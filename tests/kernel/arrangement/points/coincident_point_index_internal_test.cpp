@@ -52,6 +52,33 @@ TEST(CoincidentPointIndex, finds_the_first_of_equal_points) {
   }
 }
 
+// Hundreds of points in one cell, each several times and of several weights; for some of these the
+// prime of the names (exact/residue.h) divides the weight, so that they have none.
+TEST(CoincidentPointIndex, tells_apart_what_is_crowded) {
+  const UpwardRounding rounding;
+  std::mt19937 random(23);
+  PointTable points;
+  points.add(Vec3(1, 1, 1));
+  const CGAL::Mpzf prime = CGAL::Mpzf(0x1p61) - CGAL::Mpzf(1);
+  for (int i = 0; i < 1500; ++i) {
+    mesh::ExactPoint p;
+    p[3] = random() % 8 == 0 ? prime : CGAL::Mpzf(static_cast<double>(1 + random() % 5));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double beside = static_cast<double>(random() % 7) * 0x1p-70;
+      p[k] = p[3] * (CGAL::Mpzf(1) + CGAL::Mpzf(beside));
+    }
+    points.add(p);
+  }
+  CoincidentPointIndex index(points, 4, 10);
+  std::map<Coordinates3, PointId> first;
+  for (PointId id = 0; id < points.size(); ++id) {
+    const PointId expected = first.emplace(exact_coordinates(points, id), id).first->second;
+    ASSERT_EQ(index.first_coincident(id), expected) << id;
+  }
+  EXPECT_GT(first.size(), 300U);
+  EXPECT_LT(first.size(), 344U);
+}
+
 TEST(CoincidentPointIndex, tightens_what_is_wide_and_nothing_else) {
   const UpwardRounding rounding;
   PointTable points;
