@@ -297,17 +297,6 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
   options.most_of_piece = most_of_piece(arguments);
 }
 
-// The page is about the file that was written, which stays when there is no place for the page.
-void write_page_beside(const std::string& mesh, const std::string& page, const Document& document,
-                       const BuildReport& report, TriMesh written) {
-  try {
-    write_page(page, document, report, std::move(written));
-  } catch (const OutputError& error) {
-    throw OutputError(Error(error.code(), error.message() + "; " + mesh + " is written, and sound",
-                            error.part(), error.where()));
-  }
-}
-
 // What is no part of the report, as the same build without it would say the same.
 void print_warning(const std::string& warning, const CommonOptions& common) {
   if (!warning.empty() && !common.quiet) {
@@ -347,8 +336,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     take(report, std::move(built), document, options.connect);
     if (!arguments.page.empty()) {
       tell(options.progress, "report");
-      write_page_beside(arguments.output.path, arguments.page, document, report,
-                        std::move(written));
+      writing_beside(arguments.output.path,
+                     [&] { write_page(arguments.page, document, report, std::move(written)); });
     }
     line.reset();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include "dupin/kernel/error.h"
 
@@ -42,6 +43,17 @@ auto writing(const Function& function) {
       throw OutputError(error);
     }
     throw;
+  }
+}
+
+/// The same beside a file that is in its place already, which the message says.
+template <class Function>
+auto writing_beside(const std::string& written, const Function& function) {
+  try {
+    return writing(function);
+  } catch (const OutputError& error) {
+    throw OutputError(Error(error.code(), error.message() + "; " + written + " is written",
+                            error.part(), error.where()));
   }
 }
 

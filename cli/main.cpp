@@ -19,6 +19,7 @@
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
 #include "interrupt.h"
+#include "output.h"
 #include "ranks.h"
 
 namespace dupin::cli {
@@ -83,10 +84,7 @@ int perform(const Action& action, const CLI::App& command, const CommonOptions& 
     require_sound_arguments(*command.get_parent(), command);
     require_writable_outputs();
     const ExitCode code = action(common);
-    std::cout.flush();
-    if (!std::cout && !has_lost_reader()) {
-      throw OutputError(Error(Errc::io_failed, "cannot be written", {}, "standard output"));
-    }
+    writing(flush_stdout);
     return static_cast<int>(code);
   } catch (const UsageError& error) {
     return usage_failure(common.json, error.what());

@@ -1,11 +1,13 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <CLI/App.hpp>
@@ -13,13 +15,26 @@
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/patches_json.h"
 #include "exit_code.h"
+#include "interrupt.h"
 #include "report_text.h"
 
 namespace dupin::cli {
 namespace {
 
+void require_stdout(int reason) {
+  if (!std::cout && !has_lost_reader()) {
+    throw Error(
+        Errc::io_failed,
+        "cannot be written" + (reason != 0 ? ": " + std::generic_category().message(reason) : ""),
+        {}, "standard output");
+  }
+}
+
 void write_stdout(const std::string& bytes) {
+  errno = 0;
   std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  require_stdout(errno);
+  flush_stdout();
 }
 
 /// The same promise as `write_verified`, by the full check, for a stream that cannot be taken back.
@@ -202,6 +217,13 @@ Destination destination(const OutputArguments& arguments) {
   }
 }
 
+void flush_stdout() {
+  const bool was_good = static_cast<bool>(std::cout);  // else errno may be of something else
+  errno = 0;
+  std::cout.flush();
+  require_stdout(was_good ? errno : 0);
+}
+
 Rounded settled_and_rounded(const Solid& solid, const Destination& to,
                             const RoundingOptions& rounding, const ContactChoice& contacts,
                             OutputReport& report, const Progress& progress) {
@@ -241,7 +263,7 @@ OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHe
   }
   report.check = writing([&] { return write_as_chosen(rounded, to, header, progress); });
   if (patches) {
-    writing([&] { patches->commit(); });
+    writing_beside(shown(to), [&] { patches->commit(); });
   }
   if (written != nullptr) {
     *written = in_own_place(rounded);

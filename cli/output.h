@@ -100,6 +100,10 @@ void note_origin(const Vec3& origin, MeshHeader& header);
 [[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to,
                                        const MeshHeader& header = {});
 
+/// What is on its way to standard output is there. Throws Error{io_failed}, unless its reader has
+/// gone (interrupt.h).
+void flush_stdout();
+
 /// Writes text to a file, in one step, or to standard output for "-". Throws OutputError.
 void write_text(const std::string& path, const std::string& text);
 

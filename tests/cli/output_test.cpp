@@ -162,6 +162,28 @@ TEST_F(Output, a_place_that_cannot_be_written_is_told) {
   EXPECT_EQ(check(read_mesh(folder_.read("there.off"), "x")).volume, 8);
 }
 
+// Nothing is said to be written before it is.
+TEST_F(Output, a_full_standard_output_is_told_and_no_success_before) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  for (const std::string command :
+       {"convert a.off - --format off", "convert a.off - --format stl --no-verify", "info a.off",
+        "build examples/reducer.json -o - --format stl"}) {
+    const ProcessResult result = shell("dupin " + command + " >/dev/full; echo $? >&2");
+    EXPECT_EQ(result.err, "dupin: standard output: cannot be written: No space left on device\n5\n")
+        << command;
+  }
+}
+
+TEST_F(Output, what_goes_beside_and_fails_leaves_the_mesh_and_says_so) {
+  for (const std::string option : {"--report", "--patches"}) {
+    const ProcessResult result =
+        shell("dupin build examples/reducer.json -o a.stl " + option + " /dev/full; echo $?");
+    EXPECT_EQ(result.out, "5\n") << option;
+    EXPECT_THAT(result.err, HasSubstr("No space left on device; a.stl is written\n")) << option;
+    EXPECT_TRUE(check(read_mesh(folder_.read("a.stl"), "a.stl")).is_solid());
+  }
+}
+
 TEST_F(Output, standard_error_is_silent_where_it_is_no_terminal) {
   EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl"}).err, "");
 }

@@ -91,16 +91,20 @@ std::string what_is_near(const RingedSurface& torus) {
 
 void refuse_mesh(const PartSurface& surface, const Error& reason) {
   const auto* chain = std::get_if<Chain>(&surface);
-  const auto* torus = chain != nullptr && chain->pieces.size() == 1
-                          ? std::get_if<RingedSurface>(&chain->pieces.front())
-                          : nullptr;
+  const bool has_one_piece = chain != nullptr && chain->pieces.size() == 1;
+  const auto* torus = has_one_piece ? std::get_if<RingedSurface>(&chain->pieces.front()) : nullptr;
+  const bool is_of_cyclides = chain != nullptr && !chain->pieces.empty() &&
+                              std::holds_alternative<CyclidePiece>(chain->pieces.front());
+  // Behind the last semicolon is what would help a mesh that somebody made.
+  const std::string fault = reason.message().substr(0, reason.message().rfind("; "));
   throw Error(Errc::irregular_surface,
-              "the part's mesh is no solid: " + reason.message() +
+              "the part's mesh is no solid: " + fault +
                   (torus != nullptr && surfaces::is_embedded_torus(*torus)
                        ? "; the surface does not cross itself, but " + what_is_near(*torus)
                        : "; whether the surface crosses itself, or only comes too close, is "
-                         "undecided, and 'certify' may tell; choose a smaller tolerance, or "
-                         "other ends, end speeds or radii"));
+                         "undecided, and 'certify' may tell; choose a smaller tolerance, or " +
+                             std::string(is_of_cyclides ? "other spheres or tangents"
+                                                        : "other ends, end speeds or radii")));
 }
 
 }  // namespace dupin::assembly

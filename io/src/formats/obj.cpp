@@ -110,7 +110,8 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   std::optional<std::uint32_t> label;  // of this group, which may be without faces
   bool named = false;
   std::vector<std::uint32_t> corners;
-  while (!scanner.at_end()) {
+  bool has_statements = false;
+  for (; !scanner.at_end(); has_statements = true) {
     if (scanner.take("v")) {
       read_vertex(scanner, mesh);
     } else if (read_face(scanner, corners, mesh)) {
@@ -128,6 +129,9 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   }
   if (mesh.triangles.empty() && !mesh.points.empty()) {
     scanner.fail("a face behind the " + std::to_string(mesh.points.size()) + " vertices");
+  }
+  if (mesh.triangles.empty() && (has_statements || bytes.find('#') == std::string_view::npos)) {
+    scanner.fail("a face; the empty set is written as comments alone");
   }
   if (named) {
     std::move(labels).name_labels(mesh);

@@ -107,7 +107,8 @@ TEST(PartMargins, of_bends_barely_wider_than_the_pipe_are_proved) {
 TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
   const auto refusal = [](const PartSurface& surface) {
     try {
-      refuse_mesh(surface, Error(Errc::self_intersecting, "faces 1 and 2 intersect"));
+      refuse_mesh(surface,
+                  Error(Errc::self_intersecting, "faces 1 and 2 intersect; unite others instead"));
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::irregular_surface);
       EXPECT_EQ(error.message().find("the part's mesh is no solid: faces 1 and 2 intersect; "), 0U);
@@ -115,6 +116,8 @@ TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
     }
   };
   EXPECT_NE(refusal(bend(0, 1)).find("the surface does not cross itself"), std::string::npos);
+  EXPECT_EQ(refusal(bend(0, 1)).find("unite others"), std::string::npos);
+  EXPECT_TRUE(refusal(Chain(CyclidePiece{})).ends_with("or other spheres or tangents"));
   const auto torus = [](double angle, double radius) {
     return RingedSurface{{},
                          {},

@@ -81,6 +81,20 @@ TEST(Obj, points_without_faces_are_no_mesh) {
   EXPECT_TRUE(test::identical(read_obj("# dupin\n", "x.obj"), {})) << "the empty set";
 }
 
+// What was cut short, or not written at all, is not the empty set.
+TEST(Obj, what_says_nothing_is_no_mesh) {
+  const std::string why =
+      "found the end of the file, expected a face; the empty set is written "
+      "as comments alone";
+  test::expect_refused(read_obj, "x.obj",
+                       {{"", "x.obj:1: " + why},
+                        {"\n \n", "x.obj:3: " + why},
+                        {"o\n", "x.obj:2: " + why},
+                        {"g pump\ns 1\n", "x.obj:3: " + why},
+                        {"# dupin\no pump\n", "x.obj:3: " + why},
+                        {"mtllib a.mtl\nusemtl b # c\n", "x.obj:3: " + why}});
+}
+
 TEST(Obj, the_latest_group_or_object_names_the_label) {
   const TriMesh mesh = read_obj(
       kPoints + "f 1 3 2\no pump\nf 1 2 4\ng two  words\nf 1 4 3\no pump\nf 2 3 4\n", "x.obj");
