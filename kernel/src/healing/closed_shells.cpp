@@ -271,21 +271,29 @@ class ShellFinder {
     }
   }
 
-  // Each face where material begins, counter-clockwise, with the one where the same ends.
+  // Faces that begin and end one level of winding pair up around the edge: above the middle level
+  // those with more winding between them, below it those with less.
   void join_wedges(const OpenEdge& open, bool is_negative) {
     const HalfEdges around = layers_around(open, is_negative);
-    HalfEdges begun;
-    std::vector<std::uint8_t> is_closed(around.size(), 0);
-    for (std::size_t i = 0; i < 2 * around.size(); ++i) {  // some end in the next round
-      const std::size_t at = i % around.size();
-      if (is_up(around[at]) == is_negative) {
-        if (i < around.size()) {
-          begun.push_back(around[at]);
+    std::vector<int> levels;  // the lower one of the two that a face is between
+    int level = 0;
+    for (const std::uint32_t h : around) {
+      const bool begins = is_up(h) == is_negative;
+      levels.push_back(begins ? level : level - 1);
+      level += begins ? 1 : -1;
+    }
+    const auto [lowest, highest] = std::ranges::minmax(levels);
+    for (int at = lowest; at <= highest; ++at) {
+      HalfEdges of_level;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        if (levels[i] == at) {
+          of_level.push_back(around[i]);
         }
-      } else if (is_closed[at] == 0 && !begun.empty()) {
-        is_closed[at] = 1;
-        join({begun.back(), around[at]});
-        begun.pop_back();
+      }
+      // They begin and end in turn.
+      const bool is_first = (is_up(of_level[0]) == is_negative) == (2 * at >= lowest + highest);
+      for (std::size_t i = is_first ? 0 : 1; i < of_level.size(); i += 2) {
+        join({of_level[i], of_level[(i + 1) % of_level.size()]});
       }
     }
   }

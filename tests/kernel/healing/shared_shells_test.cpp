@@ -70,7 +70,6 @@ TEST(SharedShells, a_wall_that_is_part_of_a_side_loses_none) {
   EXPECT_EQ(repaired_volume(joined({reversed(first), second})), 10);
 }
 
-// A bowl that is filled, its filling inside out, and so on: what is around nothing is turned.
 TEST(SharedShells, every_block_of_a_grid_counts_whichever_are_inside_out) {
   for (unsigned turned = 0; turned < 16; ++turned) {
     std::vector<TriMesh> blocks;
@@ -79,6 +78,18 @@ TEST(SharedShells, every_block_of_a_grid_counts_whichever_are_inside_out) {
       blocks.push_back((turned >> i & 1) != 0 ? reversed(block) : block);
     }
     EXPECT_EQ(repaired_volume(joined(blocks)), 32) << turned;
+  }
+}
+
+TEST(SharedShells, blocks_that_fill_a_grid_all_count) {
+  Random random(26);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<TriMesh> blocks;
+    for (int i = 0; i < 125; ++i) {
+      const TriMesh block = flat_cube(2 * (i / 25), 2 * (i / 5 % 5), 2 * (i % 5));
+      blocks.push_back(random() % 3 == 0 ? reversed(block) : block);
+    }
+    EXPECT_EQ(repaired_volume(joined(blocks)), 1000) << round;
   }
 }
 
