@@ -1,9 +1,15 @@
 #include "healing/face_copies.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include "healing/patch_counts.h"
+#include "mesh/edge_table.h"
 
 namespace dupin::healing {
 namespace {
@@ -25,8 +31,9 @@ std::vector<Copy> sorted_copies(std::span<const Triangle> triangles) {
     std::ranges::sort(corners);
     copies.push_back({corners, is_odd, i});
   }
-  std::ranges::sort(copies, {},
-                    [](const Copy& copy) { return std::pair(copy.corners, copy.face); });
+  std::ranges::sort(copies, {}, [](const Copy& copy) {
+    return std::tuple(copy.corners, copy.is_odd, copy.face);
+  });
   return copies;
 }
 
@@ -55,51 +62,157 @@ struct DistinctFaces {
 
 /// Which of the faces stay, and which of these turned.
 struct Choice {
-  std::vector<std::uint8_t> is_kept, is_turned;
+  /// `was_turned`: per face, or empty.
+  Choice(std::size_t faces, std::span<const std::uint8_t> was_turned)
+      : is_kept(faces, 0), is_turned(was_turned.begin(), was_turned.end()) {
+    is_turned.resize(faces, 0);
+  }
 
   /// Keeps as many copies of a face as `count` says, its sign the way round: rather such as need no
-  /// turning, and the first ones.
+  /// turning, then such as were not turned, and the first ones.
   void keep(std::span<const Copy> copies, int count) {
-    for (const bool turning : {false, true}) {
+    has_copies |= std::abs(count) > 1;
+    for (const int turns : {0, 1, 2, 3}) {
       for (const Copy& copy : copies) {
-        if (count != 0 && ((count < 0) != copy.is_odd) == turning) {
+        const bool turns_now = (count < 0) != copy.is_odd;
+        if (count != 0 && is_kept[copy.face] == 0 &&
+            (turns_now ? 2 : 0) + is_turned[copy.face] == turns) {
           is_kept[copy.face] = 1;
-          is_turned[copy.face] = turning ? 1 : 0;
+          is_turned[copy.face] ^= turns_now ? 1 : 0;
           count += count < 0 ? 1 : -1;
         }
       }
     }
   }
+
+  std::vector<std::uint8_t> is_kept, is_turned;
+  bool has_copies = false;  // of one face, among those kept
 };
 
-}  // namespace
+void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-SettledCopies settle_copies(PolygonSoup& soup) {
-  const DistinctFaces distinct(soup.triangles);
-  const std::vector<int> counts = closing_counts(soup.points, distinct.triangles, distinct.numbers);
-  Choice choice{std::vector<std::uint8_t>(soup.triangles.size(), 0),
-                std::vector<std::uint8_t>(soup.triangles.size(), 0)};
-  for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
-    choice.keep(distinct.copies_of(i), counts[i]);
-  }
-  SettledCopies settled;
-  std::vector<bool>& is_turned = settled.is_turned;
+// Drops the faces that are not kept.
+SettledCopies applied(const Choice& choice, std::span<const std::uint8_t> was_turned,
+                      PolygonSoup& soup) {
+  SettledCopies settled{.has_copies = choice.has_copies};
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     if (choice.is_kept[i] == 0) {
       ++settled.dropped;
       continue;
     }
-    Triangle t = soup.triangles[i];
-    if (choice.is_turned[i] != 0) {
-      std::swap(t[1], t[2]);
+    const std::size_t at = settled.is_turned.size();
+    soup.triangles[at] = soup.triangles[i];
+    soup.sources[at] = soup.sources[i];
+    if (choice.is_turned[i] != (was_turned.empty() ? 0 : was_turned[i])) {
+      turn(soup.triangles[at]);
     }
-    soup.triangles[is_turned.size()] = t;
-    soup.sources[is_turned.size()] = soup.sources[i];
-    is_turned.push_back(choice.is_turned[i] != 0);
+    settled.is_turned.push_back(choice.is_turned[i]);
   }
-  soup.triangles.resize(is_turned.size());
-  soup.sources.resize(is_turned.size());
+  soup.triangles.resize(settled.is_turned.size());
+  soup.sources.resize(settled.is_turned.size());
   return settled;
+}
+
+// Per triangle 1 where what hangs together is closed as it is; there its numbers are divided by
+// what they have in common.
+std::vector<std::uint8_t> find_closed(DistinctFaces& distinct, std::size_t point_count) {
+  const mesh::EdgeTable edges(distinct.triangles, point_count);
+  const mesh::Shells shells = mesh::shells(distinct.triangles.size(), edges);
+  std::vector<std::uint8_t> is_closed(distinct.triangles.size(), 1), is_open(shells.count, 0);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    std::int64_t sum = 0;
+    for (const std::uint32_t h : edges[i].half_edges) {
+      const auto [even, odd] = distinct.numbers[h / 3];
+      sum += edges.origin(h) < edges.target(h) ? even - odd : odd - even;
+    }
+    is_open[shells.of_face[edges[i].half_edges[0] / 3]] |= sum != 0 ? 1 : 0;
+  }
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    int common = 0;
+    for (const std::uint32_t t : shells.faces_of(shell)) {
+      common = std::gcd(common, std::gcd(distinct.numbers[t].even, distinct.numbers[t].odd));
+    }
+    for (const std::uint32_t t : shells.faces_of(shell)) {
+      distinct.numbers[t].even /= common;
+      distinct.numbers[t].odd /= common;
+      is_closed[t] = is_open[shell] == 0 ? 1 : 0;
+    }
+  }
+  return is_closed;
+}
+
+/// Some faces of a soup, with the points in the order of their coordinates, which does not depend
+/// on how they are numbered.
+struct OrderedFaces {
+  OrderedFaces(const PolygonSoup& soup, std::span<const std::uint32_t> faces) {
+    std::vector<std::uint32_t> order(soup.points.size()), place(order.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::uint32_t i) {
+      const Vec3& p = soup.points[i];
+      return std::tuple(p.x(), p.y(), p.z(), i);
+    });
+    for (const std::uint32_t i : order) {
+      place[i] = static_cast<std::uint32_t>(points.size());
+      points.push_back(soup.points[i]);
+    }
+    for (const std::uint32_t face : faces) {
+      const auto& [a, b, c] = soup.triangles[face];
+      triangles.push_back({place[a], place[b], place[c]});
+    }
+  }
+
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+// Chooses among faces of which all that hang together with them are given.
+void close(const PolygonSoup& soup, std::vector<std::uint32_t> faces, Choice& choice) {
+  std::ranges::sort(faces);
+  const OrderedFaces ordered(soup, faces);
+  DistinctFaces distinct(ordered.triangles);
+  const std::vector<int> counts =
+      closing_counts(ordered.points, distinct.triangles, distinct.numbers);
+  for (Copy& copy : distinct.copies) {
+    copy.face = faces[copy.face];
+  }
+  for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
+    choice.keep(distinct.copies_of(i), counts[i]);
+  }
+}
+
+}  // namespace
+
+SettledCopies close_surface(PolygonSoup& soup) {
+  DistinctFaces distinct(soup.triangles);
+  const std::vector<std::uint8_t> is_closed = find_closed(distinct, soup.points.size());
+  Choice choice(soup.triangles.size(), {});
+  std::vector<std::uint32_t> open;
+  for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
+    const auto copies = distinct.copies_of(i);
+    if (is_closed[i] != 0) {
+      const auto first_odd =
+          std::ranges::partition_point(copies, [](const Copy& copy) { return !copy.is_odd; });
+      choice.keep({copies.begin(), first_odd}, distinct.numbers[i].even);
+      choice.keep({first_odd, copies.end()}, -distinct.numbers[i].odd);
+      choice.has_copies |= distinct.numbers[i].even > 0 && distinct.numbers[i].odd > 0;
+    } else {
+      for (const Copy& copy : copies) {
+        open.push_back(copy.face);
+      }
+    }
+  }
+  if (!open.empty()) {
+    close(soup, std::move(open), choice);
+  }
+  return applied(choice, {}, soup);
+}
+
+SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned) {
+  std::vector<std::uint32_t> all(soup.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Choice choice(soup.triangles.size(), was_turned);
+  close(soup, std::move(all), choice);
+  return applied(choice, was_turned, soup);
 }
 
 }  // namespace dupin::healing

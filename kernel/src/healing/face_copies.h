@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "healing/polygon_soup.h"
@@ -9,7 +11,8 @@ namespace dupin::healing {
 
 struct SettledCopies {
   std::size_t dropped = 0;
-  std::vector<bool> is_turned;  ///< of each triangle left
+  bool has_copies = false;              ///< among those left
+  std::vector<std::uint8_t> is_turned;  ///< of each triangle left
 };
 
 /// Decides how often each triangle counts, and which way round, so that the surface is closed:
@@ -23,9 +26,14 @@ struct SettledCopies {
 /// hangs together by edges of two different triangles has one orientation, that of most of it, and
 /// one count; and edges of more settle the rest, the largest such parts first. Where that leaves an
 /// opening, counts of single triangles are changed as long as that makes it smaller. If none of it
-/// closes the surface, it stays open.
+/// closes the surface, it stays open. `was_turned`: empty, or 1 per triangle that was turned
+/// before: such copies are dropped first.
 ///
 /// O(n log n). Throws Error{not_oriented} for what has only one side.
-SettledCopies settle_copies(PolygonSoup& soup);
+SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned = {});
+
+/// The same, but copies of opposite orientation both stay where the triangles as they are run along
+/// each edge as often one way as the other: they may belong to shells that are turned yet.
+SettledCopies close_surface(PolygonSoup& soup);
 
 }  // namespace dupin::healing

@@ -1,15 +1,15 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "arrangement/arrange.h"
+#include "healing/closed_shells.h"
+#include "healing/shell_enclosure.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
-#include "mesh/shell_nesting.h"
 
 namespace dupin::healing {
 namespace {
@@ -18,38 +18,38 @@ void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
 using Faces = std::vector<std::uint32_t>;
 
-int volume_sign(const PolygonSoup& soup, const mesh::Shells& shells, std::size_t shell) {
-  std::vector<Triangle> faces;
-  for (const std::uint32_t face : shells.faces_of(shell)) {
-    faces.push_back(soup.triangles[face]);
+std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shells) {
+  std::vector<int> signs;
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    std::vector<Triangle> faces;
+    for (const std::uint32_t face : shells.faces_of(shell)) {
+      faces.push_back(soup.triangles[face]);
+    }
+    signs.push_back(mesh::volume_sign({soup.points, faces}));
   }
-  return mesh::volume_sign({soup.points, faces});
+  return signs;
 }
 
 // Shells of negative volume that an even number of others encloses, and those right inside of one
 // of these that face it as a cavity's wall does.
 Faces faces_inside_out(const PolygonSoup& soup) {
-  const mesh::EdgeTable edges(soup.triangles, soup.points.size());
-  const mesh::Shells shells = mesh::shells(soup.triangles.size(), edges);
-  const mesh::MeshView mesh(soup.points, soup.triangles);
-  const std::vector<int> depths = mesh::nesting_depths(mesh, shells);
-  std::vector<std::size_t> outer, cavities;
-  for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    const int sign = volume_sign(soup, shells, shell);
-    if (depths[shell] % 2 == 0 && sign < 0) {
-      outer.push_back(shell);
-    } else if (depths[shell] % 2 != 0 && sign > 0) {
-      cavities.push_back(shell);
-    }
+  const mesh::Shells shells = closed_shells(soup.points, soup.triangles);
+  const std::vector<int> signs = volume_signs(soup, shells);
+  if (std::ranges::find(signs, -1) == signs.end()) {
+    return {};
   }
-  std::vector<std::size_t> to_turn = outer;
-  if (!outer.empty() && !cavities.empty()) {
-    const mesh::ShellNest nest(mesh, shells);
-    std::ranges::copy_if(cavities, std::back_inserter(to_turn), [&](std::size_t inner) {
-      return std::ranges::any_of(outer, [&](std::size_t shell) {
-        return depths[shell] + 1 == depths[inner] && nest.encloses(shell, inner);
-      });
-    });
+  const ShellEnclosure enclosure(soup, shells, signs);
+  const std::vector<int> depths = enclosure.depths();
+  std::vector<std::size_t> to_turn;
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    if (depths[shell] % 2 == 0 && signs[shell] < 0) {
+      to_turn.push_back(shell);
+    } else if (depths[shell] % 2 != 0 && signs[shell] > 0 &&
+               std::ranges::any_of(enclosure.around(shell), [&](std::uint32_t outer) {
+                 return depths[outer] + 1 == depths[shell] && signs[outer] < 0;
+               })) {
+      to_turn.push_back(shell);
+    }
   }
   Faces faces;
   for (const std::size_t shell : to_turn) {
@@ -99,12 +99,11 @@ mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const
   return solid;
 }
 
-std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned) {
+void turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned) {
   for (const std::uint32_t face : faces_inside_out(soup)) {
     turn(soup.triangles[face]);
-    is_turned[face] = !is_turned[face];
+    is_turned[face] ^= 1;
   }
-  return static_cast<std::size_t>(std::ranges::count(is_turned, true));
 }
 
 }  // namespace dupin::healing

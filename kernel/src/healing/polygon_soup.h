@@ -40,10 +40,10 @@ struct MergedPoints {
                                            const Progress& progress = {},
                                            std::span<const std::uint8_t> crossing = {});
 
-/// Turns shells of negative volume that an even number of others encloses, and with them those
-/// right inside that face them as the walls of cavities do, so that a solid that is all inside out
-/// keeps its cavities. `is_turned` says of each triangle whether it has been turned already;
-/// returns how many end up turned.
-std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned);
+/// Divides the soup, which is closed, into shells (closed_shells.h), and turns those of negative
+/// volume that an even number of others encloses (shell_enclosure.h), and with them those right
+/// inside that face them as the walls of cavities do, so that a solid that is all inside out keeps
+/// its cavities. `is_turned` says of each triangle whether it is turned.
+void turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned);
 
 }  // namespace dupin::healing

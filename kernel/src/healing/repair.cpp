@@ -190,10 +190,16 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   healing::PolygonSoup& soup = merged.soup;
   report.merged_points = merged.copies;
   report.degenerate_faces = healing::drop_degenerate_faces(soup);
-  healing::SettledCopies settled = healing::settle_copies(soup);
+  healing::SettledCopies settled = healing::close_surface(soup);
   report.duplicate_faces = settled.dropped;
   refuse_holes(soup);
-  report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
+  healing::turn_shells_outward(soup, settled.is_turned);
+  if (settled.has_copies) {
+    settled = healing::settle_copies(soup, settled.is_turned);
+    report.duplicate_faces += settled.dropped;
+  }
+  report.turned_faces =
+      static_cast<std::size_t>(std::ranges::count(settled.is_turned, std::uint8_t{1}));
 
   auto plain = proved(soup, mesh);
   if (!plain) {

@@ -64,6 +64,17 @@ std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& 
   return half_edges;
 }
 
+bool in_one_half_plane(const MeshView& mesh, const EdgeTable& edges, const Edge& edge,
+                       std::uint32_t first, std::uint32_t second) {
+  const ExactPoint low = mesh.exact(edge.low);
+  const auto normal = [&](std::uint32_t half_edge) {
+    const std::uint32_t apex = edges.target(next_half_edge(half_edge));
+    return exact::cross(difference(mesh.exact(edge.high), low), difference(mesh.exact(apex), low));
+  };
+  const exact::ExactVector a = normal(first), b = normal(second), across = exact::cross(a, b);
+  return exact::sign(exact::dot(across, across)) == 0 && exact::sign(exact::dot(a, b)) > 0;
+}
+
 std::vector<ContactPlace> find_contacts(const MeshView& mesh,
                                         std::span<const std::uint32_t> representatives) {
   const std::vector<std::uint8_t> is_shared = shared_places(representatives);

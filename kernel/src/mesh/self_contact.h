@@ -25,6 +25,10 @@ struct ContactPlace {
 [[nodiscard]] std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
                                                        const Edge& edge);
 
+/// Whether the faces of two half-edges along the edge begin in one half-plane, exactly.
+[[nodiscard]] bool in_one_half_plane(const MeshView& mesh, const EdgeTable& edges, const Edge& edge,
+                                     std::uint32_t first, std::uint32_t second);
+
 /// Where a closed oriented 2-manifold surface touches itself: edges first, then vertices that are
 /// in no such edge. `representatives` names for each point the first one of the same coordinates.
 /// Faces may meet in such points only.

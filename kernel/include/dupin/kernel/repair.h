@@ -30,6 +30,16 @@ struct Repaired {
 /// in them; keeps the places that the surface then winds around a positive number of times. Sources
 /// name the faces of `mesh`.
 ///
+/// A shell is closed, and may share faces, edges and points with others: what ends along the same
+/// edges as only one other closes it, copies of a face that look opposite ways belong to different
+/// shells, and where that leaves a choice, the exact angles around an edge tell which faces bound
+/// the same wedge, of material or inside out (the level of winding in the middle is read by the
+/// sign of the volume of all that hangs together, so that turning everything over changes nothing
+/// but where that is zero). One shell is around another if this is nowhere outside of it, though
+/// they may touch; not if they cross, or have the same faces. Points are taken in the order of
+/// their coordinates where faces do not agree: the order of faces and points does not matter for
+/// what is kept of meshes without degenerate faces.
+///
 /// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (points that
 /// are not finite or out of range, bad indices or labels), Error{not_closed | not_oriented} where
 /// more would have to be guessed, and what unite() throws.

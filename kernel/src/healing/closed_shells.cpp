@@ -1,0 +1,335 @@
+#include "healing/closed_shells.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mesh/measure.h"
+#include "mesh/self_contact.h"
+#include "support/disjoint_sets.h"
+#include "support/none.h"
+
+namespace dupin::healing {
+namespace {
+
+using support::kNone;
+using HalfEdges = std::vector<std::uint32_t>;
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Which faces are copies of each other.
+struct CopyRanks {
+  std::vector<std::uint32_t> face;  ///< one number for all copies
+  std::vector<std::uint32_t> rank;  ///< among those of the same orientation
+};
+
+// Of those faces that are `wanted`.
+CopyRanks rank_copies(std::span<const Triangle> triangles, std::span<const std::uint8_t> wanted) {
+  std::vector<std::tuple<Triangle, bool, std::uint32_t>> sorted;
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    if (wanted[f] != 0) {
+      Triangle corners = triangles[f];
+      std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+      const bool is_odd = corners[1] > corners[2];
+      std::ranges::sort(corners);
+      sorted.emplace_back(corners, is_odd, f);
+    }
+  }
+  std::ranges::sort(sorted);
+  CopyRanks copies{std::vector(triangles.size(), kNone), std::vector(triangles.size(), 0U)};
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto& [corners, is_odd, f] = sorted[i];
+    copies.face[f] = f;
+    if (i > 0 && std::get<0>(sorted[i - 1]) == corners) {
+      const auto& [ignored, was_odd, before] = sorted[i - 1];
+      copies.face[f] = copies.face[before];
+      copies.rank[f] = was_odd == is_odd ? copies.rank[before] + 1 : 0;
+    }
+  }
+  return copies;
+}
+
+class ShellFinder {
+ public:
+  ShellFinder(std::span<const Vec3> points, std::span<const Triangle> triangles)
+      : mesh_(points, triangles), edges_(triangles, points.size()), sets_(triangles.size()) {}
+
+  mesh::Shells find() {
+    join_simple_edges();
+    if (!open_.empty()) {
+      join_copies();
+      join_without_choice();
+      join_by_angles();
+    }
+    return mesh::grouped(sets_.representatives());
+  }
+
+ private:
+  /// An edge of more than two faces, with the half-edges that are not paired yet.
+  struct OpenEdge {
+    std::size_t edge;
+    HalfEdges half_edges;
+  };
+
+  [[nodiscard]] bool is_up(std::uint32_t half_edge) const {
+    return edges_.origin(half_edge) < edges_.target(half_edge);
+  }
+  [[nodiscard]] std::uint32_t face(std::uint32_t half_edge) const {
+    return copies_.face[half_edge / 3];
+  }
+  [[nodiscard]] std::uint32_t rank(std::uint32_t half_edge) const {
+    return copies_.rank[half_edge / 3];
+  }
+
+  void join(const Pair& pair) { sets_.unite(pair.first / 3, pair.second / 3); }
+
+  void join_simple_edges() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const auto along = edges_[i].half_edges;
+      if (along.size() == 2) {
+        join({along[0], along[1]});
+      } else {
+        open_.push_back({i, {along.begin(), along.end()}});
+      }
+    }
+  }
+
+  void join_copies() {
+    std::vector<std::uint8_t> wanted(mesh_.triangles.size(), 0);
+    for (const OpenEdge& open : open_) {
+      for (const std::uint32_t half_edge : open.half_edges) {
+        wanted[half_edge / 3] = 1;
+      }
+    }
+    copies_ = rank_copies(mesh_.triangles, wanted);
+    std::erase_if(open_, [this](OpenEdge& open) { return are_copies_joined(open); });
+  }
+
+  // If they are of two faces, as often the one up as the other down.
+  bool are_copies_joined(OpenEdge& open) {
+    HalfEdges& all = open.half_edges;
+    std::ranges::sort(all, {},
+                      [this](std::uint32_t h) { return std::tuple(face(h), is_up(h), rank(h)); });
+    const auto second =
+        std::ranges::find_if(all, [&](std::uint32_t h) { return face(h) != face(all.front()); });
+    if (second == all.end() || face(*second) != face(all.back()) ||
+        all.end() - second != second - all.begin()) {
+      return false;
+    }
+    std::rotate(
+        second,
+        std::ranges::find_if(second, all.end(), [this](std::uint32_t h) { return is_up(h); }),
+        all.end());
+    const std::size_t half = all.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      if (is_up(all[i]) == is_up(all[half + i])) {
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < half; ++i) {
+      join({all[i], all[half + i]});
+    }
+    return true;
+  }
+
+  // In rounds, so that the order of edges does not matter: what closes itself, or is closed by the
+  // only other one that ends along the same edges, else what only one face can close.
+  void join_without_choice() {
+    constexpr int kMostRounds = 64;  // each looks at all edges
+    std::vector<Pair> pairs;
+    for (int round = 0; round == 0 || (!pairs.empty() && round < kMostRounds); ++round) {
+      pairs.clear();
+      for (OpenEdge& open : open_) {
+        drop_closed(open);
+      }
+      std::erase_if(open_, [](const OpenEdge& open) { return open.half_edges.empty(); });
+      find_mates(pairs);
+      if (pairs.empty()) {
+        for (OpenEdge& open : open_) {
+          find_forced(open, pairs);
+        }
+      }
+      for (const Pair& pair : pairs) {
+        join(pair);
+      }
+    }
+  }
+
+  // Faces that hang together, as many up as down.
+  void drop_closed(OpenEdge& open) {
+    HalfEdges& all = open.half_edges;
+    const auto set = [this](std::uint32_t h) { return sets_.find(h / 3); };
+    std::ranges::sort(all, {}, set);
+    HalfEdges kept;
+    for (auto begin = all.begin(); begin != all.end();) {
+      const auto end =
+          std::find_if(begin, all.end(), [&](std::uint32_t h) { return set(h) != set(*begin); });
+      const auto up = std::count_if(begin, end, [this](std::uint32_t h) { return is_up(h); });
+      if (2 * up != end - begin) {
+        kept.insert(kept.end(), begin, end);
+      }
+      begin = end;
+    }
+    all = std::move(kept);
+  }
+
+  /// Where faces that hang together end.
+  struct Boundary {
+    std::vector<std::pair<std::size_t, int>> edges;  // with the balance, the first one's positive
+    bool is_turned;
+    std::uint32_t half_edge;  // at the first of them
+  };
+
+  [[nodiscard]] std::vector<Boundary> find_boundaries() {
+    std::vector<std::tuple<std::uint32_t, std::size_t, std::uint32_t>> ends;  // set, edge
+    for (const OpenEdge& open : open_) {
+      for (const std::uint32_t h : open.half_edges) {
+        ends.emplace_back(sets_.find(h / 3), open.edge, h);
+      }
+    }
+    std::ranges::sort(ends);
+    std::vector<Boundary> all;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto& [set, edge, h] = ends[i];
+      if (i == 0 || std::get<0>(ends[i - 1]) != set) {
+        all.push_back({{}, false, h});
+      }
+      auto& edges = all.back().edges;
+      if (edges.empty() || edges.back().first != edge) {
+        edges.emplace_back(edge, 0);
+      }
+      edges.back().second += is_up(h) ? 1 : -1;
+    }
+    for (Boundary& boundary : all) {
+      boundary.is_turned = boundary.edges.front().second < 0;
+      for (auto& [edge, balance] : boundary.edges) {
+        balance *= boundary.is_turned ? -1 : 1;
+      }
+    }
+    return all;
+  }
+
+  // Two that are not copies of each other, where nothing else has their boundary.
+  void find_mates(std::vector<Pair>& pairs) {
+    std::vector<Boundary> all = find_boundaries();
+    std::ranges::sort(all, {}, &Boundary::edges);
+    for (auto begin = all.begin(); begin != all.end();) {
+      const auto end = std::find_if(
+          begin, all.end(), [&](const Boundary& other) { return other.edges != begin->edges; });
+      if (end - begin == 2 && begin[0].is_turned != begin[1].is_turned &&
+          face(begin[0].half_edge) != face(begin[1].half_edge)) {
+        pairs.emplace_back(begin[0].half_edge, begin[1].half_edge);
+      }
+      begin = end;
+    }
+  }
+
+  void find_forced(OpenEdge& open, std::vector<Pair>& pairs) const {
+    HalfEdges& all = open.half_edges;
+    constexpr std::size_t kMany = 64;
+    if (all.empty() || all.size() > kMany) {
+      return;
+    }
+    const bool may_cover = std::ranges::any_of(all, [&](std::uint32_t h) {
+      return 2 * std::ranges::count(all, face(h), [this](std::uint32_t k) { return face(k); }) >
+             std::ssize(all);
+    });
+    HalfEdges paired;
+    for (const std::uint32_t h : all) {
+      const auto is_partner = [&](std::uint32_t k) {
+        return is_up(k) != is_up(h) && (may_cover || face(k) != face(h));
+      };
+      const auto partner = std::ranges::find_if(all, is_partner);
+      if (partner != all.end() && std::ranges::count_if(all, is_partner) == 1) {
+        pairs.emplace_back(h, *partner);
+        paired.insert(paired.end(), {h, *partner});
+      }
+    }
+    std::erase_if(all,
+                  [&](std::uint32_t h) { return std::ranges::find(paired, h) != paired.end(); });
+  }
+
+  void join_by_angles() {
+    if (open_.empty()) {
+      return;
+    }
+    const mesh::Shells all = mesh::shells(mesh_.triangles.size(), edges_);
+    std::vector<std::optional<bool>> is_negative(all.count);
+    for (const OpenEdge& open : open_) {
+      const std::uint32_t shell = all.of_face[open.half_edges.front() / 3];
+      if (!is_negative[shell]) {
+        std::vector<Triangle> faces;
+        for (const std::uint32_t f : all.faces_of(shell)) {
+          faces.push_back(mesh_.triangles[f]);
+        }
+        is_negative[shell] = mesh::volume_sign({mesh_.points, faces}) < 0;
+      }
+      join_wedges(open, *is_negative[shell]);
+    }
+  }
+
+  // Faces that begin and end one level of winding pair up around the edge: above the middle level
+  // those with more winding between them, below it those with less.
+  void join_wedges(const OpenEdge& open, bool is_negative) {
+    const HalfEdges around = layers_around(open, is_negative);
+    std::vector<int> levels;  // the lower one of the two that a face is between
+    int level = 0;
+    for (const std::uint32_t h : around) {
+      const bool begins = is_up(h) == is_negative;
+      levels.push_back(begins ? level : level - 1);
+      level += begins ? 1 : -1;
+    }
+    const auto [lowest, highest] = std::ranges::minmax(levels);
+    for (int at = lowest; at <= highest; ++at) {
+      HalfEdges of_level;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        if (levels[i] == at) {
+          of_level.push_back(around[i]);
+        }
+      }
+      // They begin and end in turn.
+      const bool is_first = (is_up(of_level[0]) == is_negative) == (2 * at >= lowest + highest);
+      for (std::size_t i = is_first ? 0 : 1; i < of_level.size(); i += 2) {
+        join({of_level[i], of_level[(i + 1) % of_level.size()]});
+      }
+    }
+  }
+
+  // By angle; at one angle ends come before beginnings, and copies as if each were in front of the
+  // one before.
+  [[nodiscard]] HalfEdges layers_around(const OpenEdge& open, bool is_negative) const {
+    const mesh::Edge whole = edges_[open.edge];
+    const mesh::Edge edge{whole.low, whole.high, open.half_edges};
+    HalfEdges around = mesh::sorted_around(mesh_, edges_, edge);
+    const auto key = [&](std::uint32_t h) {
+      const bool begins = is_up(h) == is_negative;
+      const Vec3 apex = (begins ? -1 : 1) * mesh_.points[edges_.target(mesh::next_half_edge(h))];
+      return std::tuple(begins, apex.x(), apex.y(), apex.z(), begins ? ~rank(h) : rank(h));
+    };
+    for (auto begin = around.begin(); begin != around.end();) {
+      const auto end = std::find_if(begin + 1, around.end(), [&](std::uint32_t h) {
+        return face(h) != face(*begin) && !mesh::in_one_half_plane(mesh_, edges_, edge, *begin, h);
+      });
+      std::ranges::sort(begin, end, {}, key);
+      begin = end;
+    }
+    return around;
+  }
+
+  mesh::MeshView mesh_;
+  mesh::EdgeTable edges_;
+  support::DisjointSets sets_;  // of faces
+  std::vector<OpenEdge> open_;
+  CopyRanks copies_;
+};
+
+}  // namespace
+
+mesh::Shells closed_shells(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+  return ShellFinder(points, triangles).find();
+}
+
+}  // namespace dupin::healing

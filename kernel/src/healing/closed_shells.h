@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "dupin/kernel/mesh.h"
+#include "mesh/edge_table.h"
+
+namespace dupin::healing {
+
+/// Divides faces that run along each edge as often one way as the other into shells that do, too,
+/// however the faces are numbered. Copies of a face may belong to different shells.
+///
+/// Faces hang together where an edge has two, and copies of two faces where all at an edge are
+/// such, one by one. What then has as many faces one way as the other at an edge closes itself
+/// there. Of others at the edge, copies of one face do not close each other unless they have to;
+/// what ends along the same edges as only one other closes it; and what that leaves open is paired
+/// by the exact angles around the edge, level by level of winding: above the middle level as the
+/// surfaces of the wedges that are wound around more often, below it of those that are less often,
+/// and at it likewise by the sign of the volume of all that hangs together, so that turning
+/// everything over changes nothing.
+///
+/// O(n) but for sorting what meets at edges of more than two faces.
+[[nodiscard]] mesh::Shells closed_shells(std::span<const Vec3> points,
+                                         std::span<const Triangle> triangles);
+
+}  // namespace dupin::healing

@@ -1,0 +1,51 @@
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "healing/shell_enclosure.h"
+#include "kernel/healing/soups_internal.h"
+#include "support/shapes.h"
+
+namespace dupin::healing {
+namespace {
+
+using test::box;
+using test::joined;
+
+// The second shell about the first, and the other way round.
+std::vector<int> depths(const TriMesh& first, const TriMesh& second) {
+  const PolygonSoup soup = soup_of(joined({first, second}));
+  std::vector<std::uint32_t> lowest(soup.triangles.size(), 0);
+  for (std::size_t face = first.triangles.size(); face < lowest.size(); ++face) {
+    lowest[face] = static_cast<std::uint32_t>(first.triangles.size());
+  }
+  const PolygonSoup merged = merge_duplicate_points({soup.points, soup.triangles, {}, {}}).soup;
+  return ShellEnclosure(merged, mesh::grouped(lowest), std::array{1, 1}).depths();
+}
+
+const TriMesh kOuter = box({0, 0, 0}, {8, 8, 8});
+
+TEST(ShellEnclosure, boxes_within_may_touch_the_outer_one) {
+  EXPECT_EQ(depths(kOuter, box({1, 1, 1}, {2, 2, 2})), (std::vector{0, 1}));
+  EXPECT_EQ(depths(kOuter, box({0, 1, 1}, {2, 2, 2})), (std::vector{0, 1}));
+  EXPECT_EQ(depths(box({0, 0, 0}, {2, 2, 2}), kOuter), (std::vector{1, 0}));
+}
+
+TEST(ShellEnclosure, what_crosses_or_coincides_is_not_within) {
+  EXPECT_EQ(depths(kOuter, kOuter), (std::vector{0, 0}));
+  EXPECT_EQ(depths(kOuter, box({7, 7, 7}, {9, 9, 9})), (std::vector{0, 0}));
+  // In its box, but for a corner outside of it.
+  const TriMesh outer = test::tetrahedron({0, 0, 0}, 8);
+  EXPECT_EQ(depths(outer, box({1, 1, 1}, {3, 3, 3})), (std::vector{0, 0}));
+  EXPECT_EQ(depths(outer, box({1, 1, 1}, {2, 2, 2})), (std::vector{0, 1}));
+}
+
+TEST(ShellEnclosure, shells_may_share_faces) {
+  TriMesh inner = test::tetrahedron({0, 0, 0}, 8);
+  inner.points[3] = {0, 0, 1};
+  EXPECT_EQ(depths(test::tetrahedron({0, 0, 0}, 8), inner), (std::vector{0, 1}));
+}
+
+}  // namespace
+}  // namespace dupin::healing
