@@ -267,8 +267,9 @@ class Search {
       disc.radius = (inside + out) / 2;
       (pipes_.at(1 - i).reach_out(disc) > 0 ? out : inside) = disc.radius;
     }
-    return inside > 0 ? "; there a radius of " + decimal_at_least(inside) + " at most lies inside"
-                      : std::string();
+    return inside > 0
+               ? "; there it lies inside with a radius of " + decimal_at_least(inside) + " at most"
+               : std::string();
   }
 
   // Where no end of it would lie inside the other one, wherever it ends.

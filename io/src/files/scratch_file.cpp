@@ -43,7 +43,8 @@ ScratchFile::ScratchFile() {
   std::error_code reason;
   folder_ = fs::temp_directory_path(reason);
   if (reason) {
-    fail("make", "TMPDIR", reason.value());
+    const char* const asked_for = std::getenv("TMPDIR");
+    fail("make", asked_for != nullptr ? asked_for : "TMPDIR", reason.value());
   }
   file_ = std::make_shared<const files::Descriptor>(nameless(folder_));
   if (file_->number() < 0) {

@@ -1,6 +1,7 @@
 #include "arrangement/crowding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -14,8 +15,11 @@
 namespace dupin::arrangement {
 namespace {
 
-// A pair in so many is looked at.
-constexpr std::size_t kSampled = 16;
+// A pair of triangles in so many is looked at: of few all.
+std::size_t sampled(std::size_t candidates) {
+  constexpr std::size_t kMost = 16, kEnough = 4096;
+  return std::clamp(candidates / kEnough, std::size_t{1}, kMost);
+}
 
 // By its corners, whatever their order, the order of triangles and that of operands. Those that are
 // no doubles count nothing: how well they are known may depend on it.
@@ -29,15 +33,25 @@ std::uint64_t hash_of(const ArrangementInput& input, std::uint32_t triangle) {
 
 // What those of the candidates have in common that are looked at.
 std::vector<TriangleIntersection> sampled_intersections(const ArrangementInput& input,
-                                                        std::span<const TrianglePair> candidates) {
+                                                        std::span<const TrianglePair> candidates,
+                                                        std::size_t one_in) {
   return support::collect_in_order<TriangleIntersection>(
       candidates.size(), [&](std::size_t i, std::vector<TriangleIntersection>& found) {
         const auto& [first, second] = candidates[i];
-        if (support::mixed(0, hash_of(input, first) + hash_of(input, second)) % kSampled == 0) {
+        if (support::mixed(0, hash_of(input, first) + hash_of(input, second)) % one_in == 0) {
           const UpwardRounding rounding;
           intersect(input, first, second, found);
         }
       });
+}
+
+// Of the pairs of operands that meet, the share that a sample knows to meet, by how often it has
+// seen a known one do so. That follows Poisson's law, about: of those that are seen l times on
+// average, a share of 1 - e^-l is seen at all, l / (1 - e^-l) times, which is 1 + l/2 + l^2/12
+// where it matters.
+double known_share(double times_seen) {
+  constexpr double kOften = 4;  // hardly any is not seen
+  return times_seen < kOften ? (std::sqrt(12 * times_seen - 3) - 3) / times_seen : 1;
 }
 
 /// Of each operand those that it meets, ascending.
@@ -118,8 +132,10 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
   if (!any_of_pairs(touching_boxes(input), [&](auto common) { return common >= most; })) {
     return false;
   }
-  const std::vector<TriangleIntersection> intersections = sampled_intersections(input, candidates);
-  if (intersections.size() * kSampled < input.triangles.size()) {
+  const std::size_t one_in = sampled(candidates.size());
+  const std::vector<TriangleIntersection> intersections =
+      sampled_intersections(input, candidates, one_in);
+  if (intersections.size() * one_in < input.triangles.size()) {
     return false;
   }
   std::ptrdiff_t pairs = 0, in_common = 0;
@@ -128,7 +144,13 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
     in_common += common;
     return false;
   });
-  return pairs > 0 && in_common >= most * pairs;
+  if (pairs == 0) {
+    return false;
+  }
+  const auto known = static_cast<double>(pairs);
+  const double share =
+      one_in == 1 ? 1 : known_share(static_cast<double>(intersections.size()) / known);
+  return static_cast<double>(in_common) >= static_cast<double>(many) * known * share * share;
 }
 
 }  // namespace dupin::arrangement

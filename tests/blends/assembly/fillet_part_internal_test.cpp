@@ -159,7 +159,8 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, aside, on(aside)},
        ": 'aside.start' lies inside 'run' only in part, and sticks out by 0.001"},
       {{run, equal, on(equal)},
-       "sticks out by 0.1; there a radius of 3.89999 at most lies inside; its axis is 0.1 off that "
+       "sticks out by 0.1; there it lies inside with a radius of 3.89999 at most; its axis is 0.1 "
+       "off that "
        "of "
        "'run', where nothing thicker than a radius of 3.9 ends in it: 'equal' may go on through "
        "'run'"},
