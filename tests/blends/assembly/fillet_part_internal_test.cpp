@@ -236,7 +236,7 @@ TEST(FilletPart, names_the_largest_radius_that_ends_inside) {
     for (const Vec3& to : {Vec3(0, 15, 1), Vec3(3, 14, 0), Vec3(-6, 16, 2)}) {
       Part branch = pipe("branch", from, to, 3.9375);
       const std::string why = refusal(assembly({run, branch, fillet("f", "run", "branch", 0.01)}));
-      const std::string named = "; there a radius of ";
+      const std::string named = "; there it lies inside with a radius of ";
       const std::size_t at = why.find(named);
       ASSERT_NE(at, std::string::npos) << why;
       const double largest = std::stod(why.substr(at + named.size()));
