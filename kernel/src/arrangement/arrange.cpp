@@ -17,6 +17,7 @@
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/operation_limits.h"
+#include "support/sequences.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -129,6 +130,22 @@ bool is_sample_crowded(const ArrangementInput& all) {
   return crowded(input, candidates_of(input, {}), kSample - 2);
 }
 
+// Whether operands do around some of them by far: then on average, most likely, and all need not be
+// searched.
+bool are_samples_crowded(const ArrangementInput& all) {
+  constexpr std::size_t kAround = 15, kLeast = 64;
+  constexpr double kByFar = 2 * kManyInCommon;
+  if (all.operands.size() < kLeast) {
+    return false;
+  }
+  const std::vector<OperandSample> samples = samples_around(all, kAround);
+  return !samples.empty() && std::ranges::all_of(samples, [&](const OperandSample& sample) {
+    const auto operands = support::selected(std::span(all.operands), sample.operands);
+    const ArrangementInput input = imported(operands, union_rule(operands.size()));
+    return sample.times * operands_in_common(input, candidates_of(input, {})) >= kByFar;
+  });
+}
+
 }  // namespace
 
 mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
@@ -141,7 +158,7 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
     std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
     const Progress& progress, std::uint64_t memory_limit) {
   ArrangementInput input = imported_within(operands, rule, memory_limit);
-  if (is_sample_crowded(input)) {
+  if (is_sample_crowded(input) || are_samples_crowded(input)) {
     return std::nullopt;
   }
   std::vector<TrianglePair> candidates = candidates_of(input, progress);

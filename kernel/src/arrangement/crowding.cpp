@@ -1,9 +1,11 @@
 #include "arrangement/crowding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -120,6 +122,12 @@ bool any_of_pairs(const Neighbours& met, const Visit& visit) {
   return false;
 }
 
+// By where they are: no order of operands bears on it, unless they have the same box.
+std::array<double, 6> place_of(const ArrangementInput& input, std::uint32_t operand) {
+  const ArrangementInput::Bounds& box = input.bounds[operand];
+  return {box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()};
+}
+
 }  // namespace
 
 bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates,
@@ -129,14 +137,16 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
   }
   const auto most = static_cast<std::ptrdiff_t>(many);
   // What has no more in common by boxes has no more by surfaces, on average neither.
-  if (!any_of_pairs(touching_boxes(input), [&](auto common) { return common >= most; })) {
-    return false;
-  }
+  return any_of_pairs(touching_boxes(input), [&](auto common) { return common >= most; }) &&
+         operands_in_common(input, candidates) >= static_cast<double>(many);
+}
+
+double operands_in_common(const ArrangementInput& input, std::span<const TrianglePair> candidates) {
   const std::size_t one_in = sampled(candidates.size());
   const std::vector<TriangleIntersection> intersections =
       sampled_intersections(input, candidates, one_in);
   if (intersections.size() * one_in < input.triangles.size()) {
-    return false;
+    return 0;
   }
   std::ptrdiff_t pairs = 0, in_common = 0;
   any_of_pairs(met_by_each(input, intersections), [&](auto common) {
@@ -145,12 +155,36 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
     return false;
   });
   if (pairs == 0) {
-    return false;
+    return 0;
   }
   const auto known = static_cast<double>(pairs);
   const double share =
       one_in == 1 ? 1 : known_share(static_cast<double>(intersections.size()) / known);
-  return static_cast<double>(in_common) >= static_cast<double>(many) * known * share * share;
+  return static_cast<double>(in_common) / (known * share * share);
+}
+
+std::vector<OperandSample> samples_around(const ArrangementInput& input, std::size_t most) {
+  const Neighbours near = touching_boxes(input);
+  std::vector<std::uint32_t> all(near.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::ranges::sort(all, {}, [&](std::uint32_t operand) {
+    return std::pair(near[operand].size(), place_of(input, operand));
+  });
+  std::vector<OperandSample> samples;
+  for (const std::size_t quarter : {1, 3}) {
+    const std::uint32_t middle = all[all.size() * quarter / 4];
+    std::vector<std::uint32_t> around = near[middle];
+    if (around.size() < most) {
+      return {};
+    }
+    std::ranges::sort(around, {}, [&](std::uint32_t o) { return place_of(input, o); });
+    OperandSample sample{{middle}, static_cast<double>(around.size()) / static_cast<double>(most)};
+    for (std::size_t i = 0; i < most; ++i) {
+      sample.operands.push_back(around[around.size() * i / most]);
+    }
+    samples.push_back(std::move(sample));
+  }
+  return samples;
 }
 
 }  // namespace dupin::arrangement

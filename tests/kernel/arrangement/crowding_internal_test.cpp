@@ -1,9 +1,14 @@
+#include <algorithm>
+#include <array>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "arrangement/crowding.h"
 #include "kernel/arrangement/stages_internal.h"
 #include "support/pipe_cases.h"
+#include "support/shapes.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -48,6 +53,40 @@ TEST(Crowding, is_known_of_operands_of_few_triangles) {
     EXPECT_TRUE(is_crowded(around_a_point(count))) << count;
   }
   EXPECT_FALSE(is_crowded(around_a_point(12)));
+}
+
+// Around a box in the middle of a row there are as many as overlap it, of which some are taken, the
+// same whatever the order; around those of a shorter row there are too few.
+TEST(Crowding, samples_are_of_places) {
+  std::vector<TriMesh> row;
+  for (int i = 0; i < 200; ++i) {
+    row.push_back(test::box(Vec3(i, i % 3, 0), Vec3(i + 30.5, 4, 1)));
+  }
+  const auto places = [](const std::vector<TriMesh>& meshes) {
+    std::vector<std::set<double>> low;
+    std::vector<double> times;
+    const test::Stages stages(meshes);
+    for (const OperandSample& sample : samples_around(stages.input, 15)) {
+      std::set<double>& of_sample = low.emplace_back();
+      for (const std::uint32_t operand : sample.operands) {
+        of_sample.insert(meshes[operand].points[0].x());
+      }
+      times.push_back(sample.times);
+    }
+    return std::pair(low, times);
+  };
+  const auto [low, times] = places(row);
+  ASSERT_EQ(low.size(), 2U);
+  EXPECT_EQ(times, (std::vector{55.0 / 15, 60.0 / 15}));  // the first one near an end
+  for (const std::set<double>& of_sample : low) {
+    EXPECT_EQ(of_sample.size(), 16U);
+    EXPECT_GT(*of_sample.rbegin() - *of_sample.begin(), 50);
+  }
+  std::mt19937 random(8);
+  std::shuffle(row.begin(), row.end(), random);
+  EXPECT_EQ(places(row), std::pair(low, times));
+  row.resize(20);
+  EXPECT_TRUE(samples_around(test::Stages(row).input, 15).empty());
 }
 
 // However many cross each other in places apart; boxes of turned racks overlap all over.
