@@ -218,7 +218,7 @@ class Rounding {
     if (auto done = without_voids()) {
       return std::move(*done);
     }
-    if (broken_pairs.size() >= kManyFaults) {
+    if (fills_slits_first() && broken_pairs.size() >= kManyFaults) {
       if (auto done = without_open_slits(broken_pairs)) {
         return std::move(*done);
       }
@@ -252,6 +252,9 @@ class Rounding {
         return std::move(*done);
       }
       if (reach == farthest) {
+        if (auto done = without_open_slits(broken_pairs)) {
+          return std::move(*done);
+        }
         throw unroundable(broken.empty() ? doubles()[0] : mesh.point(mesh.triangle(broken[0])[0]),
                           alive.empty());
       }
@@ -265,14 +268,21 @@ class Rounding {
   std::optional<Rounded> begun_anew(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                                     const std::vector<Fault>& broken_pairs,
                                     const std::vector<std::uint32_t>& left, bool may_cut) {
-    if (auto done = without_open_slits(broken_pairs)) {
-      return done;
+    if (fills_slits_first()) {
+      if (auto done = without_open_slits(broken_pairs)) {
+        return done;
+      }
     }
     if (!may_cut || past_.snaps == kSnaps || left.empty() || alive.empty()) {
       return std::nullopt;
     }
     return snapped(mesh, alive, left);
   }
+
+  /// Between coarse numbers slits are those between ends that were meant to meet, and are what most
+  /// faults are at. Between doubles they come of rounding alone, as where turned parts are flush:
+  /// to mend and to cut takes a sixth of the time, and what fills them would leave more faults.
+  [[nodiscard]] bool fills_slits_first() const { return !lattice_.holds_doubles(); }
 
   /// None if there are no sliver voids.
   std::optional<Rounded> without_voids() {
