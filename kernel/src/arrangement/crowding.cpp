@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
 #include "support/hash.h"
+#include "support/sequences.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -61,8 +61,7 @@ using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
 Neighbours sorted(Neighbours met) {
   for (std::vector<std::uint32_t>& operands : met) {
-    std::sort(operands.begin(), operands.end());
-    operands.erase(std::unique(operands.begin(), operands.end()), operands.end());
+    support::sort_unique(operands);
   }
   return met;
 }
@@ -165,8 +164,7 @@ double operands_in_common(const ArrangementInput& input, std::span<const Triangl
 
 std::vector<OperandSample> samples_around(const ArrangementInput& input, std::size_t most) {
   const Neighbours near = touching_boxes(input);
-  std::vector<std::uint32_t> all(near.size());
-  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint32_t> all = support::numbers_below(near.size());
   std::ranges::sort(all, {}, [&](std::uint32_t operand) {
     return std::pair(near[operand].size(), place_of(input, operand));
   });

@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 
 #include "exact/exact_numbers.h"
+
 namespace dupin::exact {
 namespace {
 

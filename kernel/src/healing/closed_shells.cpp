@@ -8,10 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "healing/sorted_copies.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
 #include "support/disjoint_sets.h"
 #include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::healing {
 namespace {
@@ -26,27 +28,16 @@ struct CopyRanks {
   std::vector<std::uint32_t> rank;  ///< among those of the same orientation
 };
 
-// Of those faces that are `wanted`.
-CopyRanks rank_copies(std::span<const Triangle> triangles, std::span<const std::uint8_t> wanted) {
-  std::vector<std::tuple<Triangle, bool, std::uint32_t>> sorted;
-  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    if (wanted[f] != 0) {
-      Triangle corners = triangles[f];
-      std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-      const bool is_odd = corners[1] > corners[2];
-      std::ranges::sort(corners);
-      sorted.emplace_back(corners, is_odd, f);
-    }
-  }
-  std::ranges::sort(sorted);
+CopyRanks rank_copies(std::span<const Triangle> triangles, std::span<const std::uint32_t> faces) {
+  const std::vector<Copy> sorted = sorted_copies(triangles, faces);
   CopyRanks copies{std::vector(triangles.size(), kNone), std::vector(triangles.size(), 0U)};
   for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const auto& [corners, is_odd, f] = sorted[i];
-    copies.face[f] = f;
-    if (i > 0 && std::get<0>(sorted[i - 1]) == corners) {
-      const auto& [ignored, was_odd, before] = sorted[i - 1];
-      copies.face[f] = copies.face[before];
-      copies.rank[f] = was_odd == is_odd ? copies.rank[before] + 1 : 0;
+    const Copy& copy = sorted[i];
+    copies.face[copy.face] = copy.face;
+    if (i > 0 && sorted[i - 1].corners == copy.corners) {
+      const Copy& before = sorted[i - 1];
+      copies.face[copy.face] = copies.face[before.face];
+      copies.rank[copy.face] = before.is_odd == copy.is_odd ? copies.rank[before.face] + 1 : 0;
     }
   }
   return copies;
@@ -98,13 +89,14 @@ class ShellFinder {
   }
 
   void join_copies() {
-    std::vector<std::uint8_t> wanted(mesh_.triangles.size(), 0);
+    std::vector<std::uint32_t> faces;
     for (const OpenEdge& open : open_) {
       for (const std::uint32_t half_edge : open.half_edges) {
-        wanted[half_edge / 3] = 1;
+        faces.push_back(half_edge / 3);
       }
     }
-    copies_ = rank_copies(mesh_.triangles, wanted);
+    support::sort_unique(faces);
+    copies_ = rank_copies(mesh_.triangles, faces);
     std::erase_if(open_, [this](OpenEdge& open) { return are_copies_joined(open); });
   }
 
@@ -261,10 +253,7 @@ class ShellFinder {
     for (const OpenEdge& open : open_) {
       const std::uint32_t shell = all.of_face[open.half_edges.front() / 3];
       if (!is_negative[shell]) {
-        std::vector<Triangle> faces;
-        for (const std::uint32_t f : all.faces_of(shell)) {
-          faces.push_back(mesh_.triangles[f]);
-        }
+        const auto faces = support::selected(mesh_.triangles, all.faces_of(shell));
         is_negative[shell] = mesh::volume_sign({mesh_.points, faces}) < 0;
       }
       join_wedges(open, *is_negative[shell]);

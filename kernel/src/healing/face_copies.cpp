@@ -9,33 +9,12 @@
 #include <utility>
 
 #include "healing/patch_counts.h"
+#include "healing/sorted_copies.h"
 #include "mesh/edge_table.h"
+#include "support/sequences.h"
 
 namespace dupin::healing {
 namespace {
-
-/// A triangle of the soup by its corners in ascending order.
-struct Copy {
-  Triangle corners;
-  bool is_odd;  ///< it runs the other way round
-  std::uint32_t face;
-};
-
-std::vector<Copy> sorted_copies(std::span<const Triangle> triangles) {
-  std::vector<Copy> copies;
-  copies.reserve(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    Triangle corners = triangles[i];
-    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-    const bool is_odd = corners[1] > corners[2];
-    std::ranges::sort(corners);
-    copies.push_back({corners, is_odd, i});
-  }
-  std::ranges::sort(copies, {}, [](const Copy& copy) {
-    return std::tuple(copy.corners, copy.is_odd, copy.face);
-  });
-  return copies;
-}
 
 /// All triangles that differ, in ascending order, and their copies.
 struct DistinctFaces {
@@ -145,8 +124,8 @@ std::vector<std::uint8_t> find_closed(DistinctFaces& distinct, std::size_t point
 /// on how they are numbered.
 struct OrderedFaces {
   OrderedFaces(const PolygonSoup& soup, std::span<const std::uint32_t> faces) {
-    std::vector<std::uint32_t> order(soup.points.size()), place(order.size());
-    std::iota(order.begin(), order.end(), 0U);
+    std::vector<std::uint32_t> order = support::numbers_below(soup.points.size());
+    std::vector<std::uint32_t> place(order.size());
     std::ranges::sort(order, {}, [&](std::uint32_t i) {
       const Vec3& p = soup.points[i];
       return std::tuple(p.x(), p.y(), p.z(), i);
@@ -208,10 +187,8 @@ SettledCopies close_surface(PolygonSoup& soup) {
 }
 
 SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned) {
-  std::vector<std::uint32_t> all(soup.triangles.size());
-  std::iota(all.begin(), all.end(), 0U);
   Choice choice(soup.triangles.size(), was_turned);
-  close(soup, std::move(all), choice);
+  close(soup, support::numbers_below(soup.triangles.size()), choice);
   return applied(choice, was_turned, soup);
 }
 

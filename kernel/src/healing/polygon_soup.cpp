@@ -1,6 +1,7 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
+#include "support/sequences.h"
 
 namespace dupin::healing {
 namespace {
@@ -21,10 +23,8 @@ using Faces = std::vector<std::uint32_t>;
 std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shells) {
   std::vector<int> signs;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    std::vector<Triangle> faces;
-    for (const std::uint32_t face : shells.faces_of(shell)) {
-      faces.push_back(soup.triangles[face]);
-    }
+    const auto faces =
+        support::selected(std::span(std::as_const(soup.triangles)), shells.faces_of(shell));
     signs.push_back(mesh::volume_sign({soup.points, faces}));
   }
   return signs;

@@ -1,14 +1,15 @@
 #include "healing/shell_enclosure.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "arrangement/arrange.h"
 #include "checking/self_intersection.h"
+#include "healing/sorted_copies.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/shell_nesting.h"
 #include "support/none.h"
@@ -20,17 +21,11 @@ using ShellPair = std::pair<std::uint32_t, std::uint32_t>;  // outer, inner
 
 /// The number of the copies that a face is one of.
 std::vector<std::uint32_t> numbers_of_copies(std::span<const Triangle> triangles) {
-  std::vector<std::uint32_t> order(triangles.size()), numbers(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto corners = [&](std::uint32_t face) {
-    Triangle sorted = triangles[face];
-    std::ranges::sort(sorted);
-    return sorted;
-  };
-  std::ranges::sort(order, {}, corners);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const bool is_copy = corners(order[i]) == corners(order[i - 1]);
-    numbers[order[i]] = numbers[order[i - 1]] + (is_copy ? 0 : 1);
+  std::vector<std::uint32_t> numbers(triangles.size());
+  const std::vector<Copy> sorted = sorted_copies(triangles);
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const bool is_copy = sorted[i].corners == sorted[i - 1].corners;
+    numbers[sorted[i].face] = numbers[sorted[i - 1].face] + (is_copy ? 0 : 1);
   }
   return numbers;
 }

@@ -64,12 +64,14 @@ PointId CoincidentPointIndex::first_coincident(PointId id) {
     points_->tighten(id);
     cells = cells_of(id);
   }
+  Sought point{id, {}};
   PointId found = kNone;
-  for_each_cell(cells, [&](const Cell& cell) { found = found == kNone ? find(id, cell) : found; });
+  for_each_cell(cells,
+                [&](const Cell& cell) { found = found == kNone ? find(point, cell) : found; });
   if (found != kNone) {
     return found;
   }
-  for_each_cell(cells, [&](const Cell& cell) { insert(id, cell); });
+  for_each_cell(cells, [&](const Cell& cell) { insert(point, cell); });
   return id;
 }
 
@@ -112,30 +114,26 @@ void CoincidentPointIndex::visit_entries(const Cell& cell, std::uint64_t name,
   }
 }
 
-PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {
+PointId CoincidentPointIndex::find(Sought& point, const Cell& cell) const {
   PointId found = kNone;
   std::size_t count = 0;
-  visit_entries(cell, 0, [&](const Entry& entry) {
+  const auto is_it = [&](const Entry& entry) {
     ++count;
-    found = coincide(*points_, entry.point, id) ? entry.point : kNone;
+    found = coincide(*points_, entry.point, point.id) ? entry.point : kNone;
     return found != kNone;
-  });
-  return found != kNone || count < kFew ? found : find_named(id, cell, name_of(id));
-}
-
-PointId CoincidentPointIndex::find_named(PointId id, const Cell& cell, std::uint64_t name) const {
-  PointId found = kNone;
-  if (name != 0) {
-    visit_entries(cell, name, [&](const Entry& entry) {
-      found = coincide(*points_, entry.point, id) ? entry.point : kNone;
-      return found != kNone;
-    });
+  };
+  visit_entries(cell, 0, is_it);
+  if (found != kNone || count < kFew) {
     return found;
   }
-  const auto entry = std::ranges::find_if(entries_, [&](const Entry& e) {
-    return e.cell == cell && e.name != 0 && coincide(*points_, e.point, id);
-  });
-  return entry == entries_.end() ? kNone : entry->point;
+  if (const std::uint64_t name = name_of(point); name != 0) {
+    visit_entries(cell, name, is_it);
+  } else {
+    static_cast<void>(std::ranges::any_of(entries_, [&](const Entry& entry) {
+      return entry.cell == cell && entry.name != 0 && is_it(entry);
+    }));
+  }
+  return found;
 }
 
 bool CoincidentPointIndex::is_crowded(const Cell& cell) const {
@@ -144,17 +142,19 @@ bool CoincidentPointIndex::is_crowded(const Cell& cell) const {
   return count == kFew;
 }
 
-std::uint64_t CoincidentPointIndex::name_of(PointId id) const {
-  const auto residues = exact::residues(points_->exact_value(id));
-  std::uint64_t name = 0;
-  for (std::size_t k = 0; residues && k < 3; ++k) {
-    name = support::mixed(name, (*residues)[k]);
+std::uint64_t CoincidentPointIndex::name_of(Sought& point) const {
+  if (!point.name) {
+    const auto residues = exact::residues(points_->exact_value(point.id));
+    point.name = 0;
+    for (std::size_t k = 0; residues && k < 3; ++k) {
+      point.name = support::mixed(*point.name, (*residues)[k]);
+    }
   }
-  return name;
+  return *point.name;
 }
 
-void CoincidentPointIndex::insert(PointId id, const Cell& cell) {
-  entries_.push_back({cell, is_crowded(cell) ? name_of(id) : 0, id, kNone});
+void CoincidentPointIndex::insert(Sought& point, const Cell& cell) {
+  entries_.push_back({cell, is_crowded(cell) ? name_of(point) : 0, point.id, kNone});
   if (entries_.size() <= slots_.size()) {
     put_in_slot(static_cast<std::uint32_t>(entries_.size() - 1));
     return;

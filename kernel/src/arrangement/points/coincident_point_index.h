@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "arrangement/points/implicit_points.h"
@@ -40,17 +41,20 @@ class CoincidentPointIndex {
     }
   };
 
+  struct Sought {
+    PointId id;
+    std::optional<std::uint64_t> name;  ///< once it is asked for; 0 if it can have none
+  };
+
   [[nodiscard]] Cells cells_of(PointId id) const;
   [[nodiscard]] std::size_t slot_of(const Cell& cell, std::uint64_t name) const;
   /// The entries with that cell and name, the latest first, until visit(entry) is true.
   template <class Visit>
   void visit_entries(const Cell& cell, std::uint64_t name, Visit&& visit) const;
-  [[nodiscard]] PointId find(PointId id, const Cell& cell) const;
-  [[nodiscard]] PointId find_named(PointId id, const Cell& cell, std::uint64_t name) const;
+  [[nodiscard]] PointId find(Sought& point, const Cell& cell) const;
   [[nodiscard]] bool is_crowded(const Cell& cell) const;
-  /// 0 if it can have none.
-  [[nodiscard]] std::uint64_t name_of(PointId id) const;
-  void insert(PointId id, const Cell& cell);
+  [[nodiscard]] std::uint64_t name_of(Sought& point) const;
+  void insert(Sought& point, const Cell& cell);
   void put_in_slot(std::uint32_t index);
 
   PointTable* points_;
