@@ -162,7 +162,7 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
     return std::nullopt;
   }
   std::vector<TrianglePair> candidates = candidates_of(input, progress);
-  if (crowded(input, candidates)) {
+  if (crowded(input, candidates) || are_faces_crowded(input, candidates)) {
     return std::nullopt;
   }
   Intersections intersections = find_intersections(input, candidates, progress);

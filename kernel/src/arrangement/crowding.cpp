@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrangement/face_crossings.h"
 #include "arrangement/triangle_intersection.h"
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
@@ -138,6 +139,18 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
   // What has no more in common by boxes has no more by surfaces, on average neither.
   return any_of_pairs(touching_boxes(input), [&](auto common) { return common >= most; }) &&
          operands_in_common(input, candidates) >= static_cast<double>(many);
+}
+
+bool are_faces_crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates) {
+  constexpr std::size_t kLeast = 6;
+  // That many have coaxial pipes of which it holds, by a quarter of the time; with half as many it
+  // takes a tenth longer.
+  constexpr double kCrossings = 5;
+  const std::size_t count = input.operands.size();
+  return count >= kLeast && count < kManyInCommon + 2 &&
+         input.operand_pairs.size() >= count * (count - 2) / 2 &&  // each meets all but one, say
+         crossings_per_face(input, candidates) >= kCrossings &&
+         operands_in_common(input, candidates) >= static_cast<double>(count - 3);
 }
 
 double operands_in_common(const ArrangementInput& input, std::span<const TrianglePair> candidates) {

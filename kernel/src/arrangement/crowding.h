@@ -22,6 +22,12 @@ inline constexpr std::size_t kManyInCommon = 8;
 [[nodiscard]] bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates,
                            std::size_t many = kManyInCommon);
 
+/// Whether a handful of operands, fewer than can be crowded(), meet each other so that most of
+/// their arrangement would be points in their faces where others cross (face_crossings.h): these
+/// are dearer than to unite the operands in steps.
+[[nodiscard]] bool are_faces_crowded(const ArrangementInput& input,
+                                     std::span<const TrianglePair> candidates);
+
 /// How many operands the two of a meeting pair both meet, on average.
 [[nodiscard]] double operands_in_common(const ArrangementInput& input,
                                         std::span<const TrianglePair> candidates);

@@ -48,7 +48,8 @@ bool precedes(const ExactMesh& a, const ExactMesh& b) {
 }
 
 // The operation on operands of which those from `first_alike` on may be exchanged: in an order that
-// does not depend on theirs, so that the result does not either.
+// does not depend on theirs, so that the result does not either. One that is there twice does what
+// it does once.
 template <class Combine>
 Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
                     const Combine& combine) {
@@ -58,6 +59,12 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
                    order.end(), [&](std::uint32_t i, std::uint32_t j) {
                      return precedes(operands[i].exact(), operands[j].exact());
                    });
+  const auto copies =
+      std::unique(order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size())),
+                  order.end(), [&](std::uint32_t i, std::uint32_t j) {
+                    return !precedes(operands[i].exact(), operands[j].exact());
+                  });
+  order.erase(copies, order.end());
   std::vector<Solid> sorted;
   sorted.reserve(order.size());
   for (const std::uint32_t i : order) {

@@ -90,6 +90,21 @@ TEST(Crowding, samples_are_of_places) {
   EXPECT_TRUE(samples_around(test::Stages(row).input, 15).empty());
 }
 
+// A few operands are, by the points in their faces, not by what meets in a line or has one plane.
+TEST(Crowding, of_faces_is_where_their_cuts_cross) {
+  const auto is = [](const char* name) {
+    const test::Stages stages(test::pipe_case(name));
+    return are_faces_crowded(stages.input, stages.candidates());
+  };
+  for (const char* name : {"coaxial_6", "coaxial_8_rot", "coaxial_9"}) {
+    EXPECT_TRUE(is(name)) << name;
+  }
+  for (const char* name : {"coaxial_4", "coaxial_flush_9", "star_9", "star_9_rot", "star_general_9",
+                           "rack_eq_small", "coaxial_10"}) {
+    EXPECT_FALSE(is(name)) << name;
+  }
+}
+
 // However many cross each other in places apart; boxes of turned racks overlap all over.
 TEST(Crowding, is_not_where_few_meet_the_same) {
   for (const char* name :

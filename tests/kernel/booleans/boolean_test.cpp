@@ -112,6 +112,27 @@ TEST(Boolean, many_operands_at_once) {
   EXPECT_EQ(subtract(cube(0, 4), cuts).exact_volume(), 32);
 }
 
+// 3000 copies of a box were searched for what they have in common, all with all.
+TEST(Boolean, an_operand_that_is_there_twice_does_what_it_does_once) {
+  const Solid a = cube(0, 4), b = cube(1, 5);
+  const std::vector<Solid> distinct = {a, b}, copies = {a, b, cube(0, 4), a, cube(1, 5)};
+  const auto expect_alike = [](const Solid& x, const Solid& y) {
+    EXPECT_EQ(x.triangles(), y.triangles());
+    ASSERT_EQ(x.sources().size(), y.sources().size());
+    for (std::size_t t = 0; t < x.sources().size(); ++t) {
+      EXPECT_EQ(x.sources()[t].operand, y.sources()[t].operand);
+      EXPECT_EQ(x.sources()[t].triangle, y.sources()[t].triangle);
+    }
+  };
+  expect_alike(unite(copies), unite(distinct));
+  expect_alike(intersect(copies), intersect(distinct));
+  const std::vector<Solid> cut(3, b);
+  expect_alike(subtract(a, cut), subtract(a, {&b, 1}));
+  EXPECT_EQ(subtract(a, cut).exact_volume(), 64 - 27);
+  EXPECT_EQ(unite(std::vector<Solid>(3, a)).exact_volume(), 64);
+  EXPECT_TRUE(subtract(a, std::vector<Solid>(2, a)).empty());
+}
+
 TEST(Boolean, empty_operands_are_neutral) {
   const std::vector<Solid> with_nothing = {Solid(), cube(0, 2), Solid()};
   EXPECT_EQ(unite(with_nothing).exact_volume(), 8);
