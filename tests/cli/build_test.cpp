@@ -305,6 +305,45 @@ TEST_F(Build, writes_normals_of_meshes_for_solvers_with_the_origin_elsewhere) {
   EXPECT_GT(found, 10U);
 }
 
+// The meshes' tolerance is a quarter of the wall, which is thinner than that where circles are
+// oblique.
+TEST_F(Build, says_that_meshes_are_too_coarse_for_a_wall) {
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "wall": 0.1, "parts": [
+      {"name": "p", "pipe": {"from": [0, 0, 0], "direction": [0.8195, -0.4118, 0.5675],
+                             "length": 2, "radius": 1}},
+      {"name": "q", "pipe": {"from": [11.7281, -5.7834, 12.8804],
+                             "direction": [-0.7272, 0.9901, 0.3237], "length": 2, "radius": 0.92}},
+      {"name": "b", "ringed_blend": {"from": "p.end", "to": "q.start", "bidegree": [9, 2]}}]})");
+  const ProcessResult refused = dupin({"build", "a.json", "-o", "a.off"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err,
+              MatchesRegex("dupin: a.json#/parts/2: 'b': its surface lies inside of 'b.bore' at "
+                           ".*: meshes are too coarse there for the wall; choose a smaller "
+                           "tolerance, or a thicker wall\n"));
+  EXPECT_EQ(json({"build", "a.json", "-o", "a.off", "--tolerance", "0.01"}, 0).at("region"),
+            "metal");
+  EXPECT_EQ(json({"build", "a.json", "-o", "a.off", "--wall", "0.3"}, 0).at("region"), "metal");
+}
+
+// Their lattice was as coarse as the radius allows, which let points of their ends coincide.
+TEST_F(Build, makes_bends_that_are_short_or_all_but_closed) {
+  for (const std::string angle : {"1e-9", "1e-4", "359.9999999"}) {
+    folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": [
+        {"name": "p", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
+        {"name": "e", "elbow": {"from": "p.end", "bend_radius": 3, "toward": [0, 1, 0],
+                                "angle": )" +
+                                angle + "}}]}");
+    EXPECT_EQ(dupin({"build", "a.json", "-o", "a.off"}).err, "") << angle;
+    EXPECT_EQ(json({"check", "a.off"}, 0).at("solid"), true) << angle;
+  }
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": [
+      {"name": "p", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
+      {"name": "e", "elbow": {"from": "p.end", "bend_radius": 3, "toward": [0, 1, 0],
+                              "angle": 1e-12}}]})");
+  EXPECT_THAT(dupin({"build", "a.json", "-o", "a.off"}).err,
+              HasSubstr("'e': its smallest radius or length, 5.23599e-14, is too small for"));
+}
+
 // Points in one place that are no copies of each other stay apart.
 TEST_F(Build, tells_contacts_from_copies) {
   folder_.write("touch.json", R"({"units": "mm", "tolerance": 0.05, "parts": [

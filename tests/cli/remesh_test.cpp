@@ -98,5 +98,16 @@ TEST_F(SolverMeshes, build_makes_meshes_for_solvers) {
   EXPECT_THAT(text, HasSubstr("angles"));
 }
 
+// Vertices were pumped up against flat tetrahedra by no number, which ended the program in GMP.
+TEST_F(SolverMeshes, build_fills_walls_where_tetrahedra_are_flat) {
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.4, "wall": 5, "parts": [
+      {"name": "run", "pipe": {"from": [-60, 0, 0], "to": [60, 0, 0], "radius": 30}},
+      {"name": "flange", "wall": 0, "pipe": {"from": [-60, 0, 0], "to": [-50, 0, 0],
+                                             "radius": 45}},
+      {"name": "inlet", "cap": {"at": "run.start"}}]})");
+  const auto filled = json({"build", "a.json", "-o", "a.msh", "--size", "20mm"}, 0);
+  EXPECT_GT(filled.at("output").at("solver_mesh").at("volume").at("tetrahedra"), 5000);
+}
+
 }  // namespace
 }  // namespace dupin::test

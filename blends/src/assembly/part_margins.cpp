@@ -81,8 +81,7 @@ std::string what_is_near(const RingedSurface& torus) {
   const double between_ends = 2 * std::sin(std::min(open, std::numbers::pi) / 2) * to_axis;
   return between_ends < to_axis
              ? "its ends come within " + decimal_at_most(between_ends) +
-                   " of each other, too near for this tolerance; use a smaller angle, or a smaller "
-                   "tolerance"
+                   " of each other, too near for these coordinates; use a smaller angle"
              : "it comes within " + decimal_at_most(to_axis) +
                    " of its axis, too near for these coordinates; use a larger bend radius";
 }

@@ -50,14 +50,16 @@ double parse_length(std::string_view text, Unit unit) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, value);
-  if (failure != std::errc() || !std::isfinite(value)) {
+  const std::string_view suffix(rest, static_cast<std::size_t>(end - rest));
+  const bool is_unknown = !suffix.empty() && !unit_called(suffix);
+  const bool is_no_number = is_unknown && (value == 0 || suffix.starts_with(','));  // 0,05
+  if (failure != std::errc() || !std::isfinite(value) || is_no_number) {
     throw Error(Errc::invalid_argument,
                 quoted(text) + " is not a length such as 0.05, 1mm or 0.5in");
   }
   if (value <= 0) {
     throw Error(Errc::invalid_argument, "a length must be positive, not " + quoted(text));
   }
-  const std::string_view suffix(rest, static_cast<std::size_t>(end - rest));
   if (suffix.empty()) {
     return value;
   }

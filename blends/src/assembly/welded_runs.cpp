@@ -169,7 +169,7 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
     const std::string problem =
         decimal(extent.smallest, kMessageDigits) + ", is too small for coordinates of " +
         decimal(extent.largest, kMessageDigits) + " (of '" + *largest + "'); it must be at least " +
-        decimal(std::ldexp(extent.largest, -39), 2);
+        decimal_at_most(std::ldexp(extent.largest, -39));
     throw smallest.name == nullptr
         ? Error(Errc::invalid_argument, "the tolerance, " + problem, {},
                 document_place(assembly, "/tolerance"))

@@ -86,11 +86,12 @@ class Parser {
     if (at_ == text_.size()) {
       fail("a number, a name or ( is missing", at_);
     }
-    if (++depth_ > kDeepest) {
-      fail("parentheses and signs are nested more than " + std::to_string(kDeepest) + " deep", at_);
-    }
     double value = 0;
     const char c = text_[at_];
+    const bool is_deeper = c == '-' || c == '+' || c == '(';
+    if (is_deeper && ++depth_ > kDeepest) {
+      fail("parentheses and signs are nested more than " + std::to_string(kDeepest) + " deep", at_);
+    }
     if (c == '-' || c == '+') {
       ++at_;
       value = c == '-' ? -factor() : factor();
@@ -108,7 +109,7 @@ class Parser {
     } else {
       fail("a number, a name or ( is missing", at_);
     }
-    --depth_;
+    depth_ -= is_deeper ? 1 : 0;
     skip_space();
     return value;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -32,7 +33,42 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, Surface, CGAL::Default, int>;
-using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
+
+/// Exudation pumps up a vertex until it is as far from the sphere orthogonal to a cell as this
+/// says. CGAL's own, a quotient of differences of determinants, is no number for a flat cell, and
+/// ends the program then, in GMP.
+class ExudationTraits : public CGAL::Kernel_traits<Domain>::Kernel {
+ public:
+  struct Compute_power_distance_to_power_sphere_3 {
+    using result_type = double;
+    double operator()(const Weighted_point_3& p, const Weighted_point_3& q,
+                      const Weighted_point_3& r, const Weighted_point_3& s,
+                      const Weighted_point_3& t) const {
+      const Point& origin = p.point();
+      const Vector_3 a = q.point() - origin, b = r.point() - origin, c = s.point() - origin;
+      const Vector_3 to = t.point() - origin;
+      const auto half_power = [&p](const Vector_3& v, const Weighted_point_3& end) {
+        return (v.squared_length() - end.weight() + p.weight()) / 2;
+      };
+      const Vector_3 bc = cross_product(b, c);
+      const Vector_3 centre = (half_power(a, q) * bc + half_power(b, r) * cross_product(c, a) +
+                               half_power(c, s) * cross_product(a, b)) /
+                              (a * bc);
+      const double distance = to.squared_length() - 2 * (to * centre) + p.weight();
+      // It ends before a vertex of the cell.
+      return std::isfinite(distance)
+                 ? distance
+                 : std::min({to.squared_length(), (to - a).squared_length(),
+                             (to - b).squared_length(), (to - c).squared_length()});
+    }
+  };
+  [[nodiscard]] Compute_power_distance_to_power_sphere_3
+  compute_power_distance_to_power_sphere_3_object() const {
+    return {};
+  }
+};
+
+using Triangulation = CGAL::Mesh_triangulation_3<Domain, ExudationTraits>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
                                                         Domain::Curve_index>;
 

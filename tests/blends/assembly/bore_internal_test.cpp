@@ -422,9 +422,12 @@ TEST(Bore, that_there_is_not_is_refused_with_the_reason) {
       {"solid with wall", walled({part("a", one[0].shape, 1.0, true)}, 1), Errc::invalid_argument,
        "/parts/0/wall", "a solid part has no wall"},
       {"broken", walled({one[0], pipe("b", {4, 0, 1.2}, {4, 0, 9}, 1.95)}, 0.1),
-       Errc::infeasible_blend, "/parts/0", "its surface lies inside of 'b.bore' at"},
+       Errc::infeasible_blend, "/parts/0",
+       ": there is no wall where an open end of 'b' is cut; that end must be elsewhere, or 'b' "
+       "without a bore (\"wall\": 0)"},
   };
-  rows.back().assembly.parts[1] = pipe("b", {8.5, 0, 0}, {20, 0, 0}, 3);
+  Assembly& broken = rows.back().assembly;
+  broken.parts[1] = pipe("b", {8.5, 0, 0}, {20, 0, 0}, 3);
   for (const Refused& row : rows) {
     SCOPED_TRACE(row.name);
     try {
@@ -436,6 +439,11 @@ TEST(Bore, that_there_is_not_is_refused_with_the_reason) {
       EXPECT_THAT(error.message(), HasSubstr(row.reason));
     }
   }
+  Assembly elsewhere = broken, without_bore = broken;
+  elsewhere.parts[1] = pipe("b", {9.5, 0, 0}, {20, 0, 0}, 3);
+  without_bore.parts[1].wall = 0;
+  EXPECT_FALSE(built(elsewhere, Region::fluid).solid.empty());
+  EXPECT_FALSE(built(without_bore, Region::fluid).solid.empty());
 }
 
 TEST(Walls, are_of_parts_before_they_are_of_the_document) {

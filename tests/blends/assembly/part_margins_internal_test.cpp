@@ -129,7 +129,7 @@ TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
   EXPECT_NE(refusal(torus(5, 1 - 1e-9)).find("within 1e-09 of its axis, too near for these coord"),
             std::string::npos);
   EXPECT_NE(refusal(torus(2 * std::numbers::pi - 1e-6, .5))
-                .find("its ends come within 5.00001e-07 of each other, too near for this toler"),
+                .find("its ends come within 5.00001e-07 of each other, too near for these coord"),
             std::string::npos);
   EXPECT_NE(refusal(bend(0, 3)).find("is undecided"), std::string::npos);
   EXPECT_NE(refusal(Chain(std::vector{bend(0, 1), bend(1, 1)})).find("is undecided"),

@@ -26,6 +26,9 @@ TEST(Unit, reads_lengths_as_people_type_them) {
       {"1e999", "'1e999' is not a length such as 0.05, 1mm or 0.5in"},
       {"-1mm", "a length must be positive, not '-1mm'"},
       {"0", "a length must be positive, not '0'"},
+      {"0,05", "'0,05' is not a length such as 0.05, 1mm or 0.5in"},
+      {"1,5mm", "'1,5mm' is not a length such as 0.05, 1mm or 0.5in"},
+      {"0x1p-3", "'0x1p-3' is not a length such as 0.05, 1mm or 0.5in"},
       {"1 mm", "the unit must be mm, cm, m, in or ft, not ' mm'"},
       {"1parsec", "the unit must be mm, cm, m, in or ft, not 'parsec'"},
   };

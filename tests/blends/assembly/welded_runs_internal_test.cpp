@@ -134,10 +134,10 @@ TEST(WeldedRuns, coordinates_have_to_fit_on_the_lattice) {
   EXPECT_EQ(refusal({1, {Sphere{Vec3(0, 0x1p40 - 9, 0), 2}}}), "");
   EXPECT_EQ(refusal({1, {Sphere{Vec3(0, 0x1p40, 0), 2}}}),
             "d#/tolerance: the tolerance, 1, is too small for coordinates of 1.09951e+12 (of "
-            "'part 0'); it must be at least 2");
+            "'part 0'); it must be at least 2.00001");
   EXPECT_EQ(refusal({2, {Sphere{Vec3(0, -0x1p40, 0), 2}, Sphere{Vec3::Zero(), 1}}}),
             "d#/parts/1: 'part 1': its smallest radius or length, 1, is too small for coordinates "
-            "of 1.09951e+12 (of 'part 0'); it must be at least 2");
+            "of 1.09951e+12 (of 'part 0'); it must be at least 2.00001");
 }
 
 // A chord of n-th of a circle of radius r is r (1 - cos(pi / n)) off it.

@@ -94,8 +94,10 @@ TEST(Expression, is_bounded_in_depth_and_length) {
   const auto nested = [](int depth) {
     return "=" + std::string(depth, '(') + "1" + std::string(depth, ')');
   };
-  EXPECT_EQ(number_of(nested(31)), 1);
-  EXPECT_THROW((void)value_of(nested(32)), Error);
+  EXPECT_EQ(number_of(nested(32)), 1);
+  EXPECT_THROW((void)value_of(nested(33)), Error);
+  EXPECT_EQ(number_of("=" + std::string(32, '-') + "1"), 1);
+  EXPECT_THROW((void)value_of("=" + std::string(33, '-') + "1"), Error);
   EXPECT_THROW((void)value_of("=" + std::string(900, '-') + "1"), Error);
   EXPECT_EQ(number_of("=1" + std::string(998, ' ')), 1);
   EXPECT_THROW((void)value_of("=1" + std::string(999, ' ')), Error);

@@ -52,6 +52,27 @@ TEST(DelaunayRefinement, fills_a_box) {
   }
 }
 
+// To pump up vertices against flat tetrahedra ended the program where differences of determinants
+// cancel: at all, or between lengths that are far from 1.
+TEST(DelaunayRefinement, does_not_depend_on_the_unit) {
+  const Tetrahedra one = refined(test::tube(2, 0, 6, 32), refinement(0.5));
+  for (const double unit : {0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
+    SCOPED_TRACE(unit);
+    TriMesh mesh = test::tube(2, 0, 6, 32);
+    for (Vec3& point : mesh.points) {
+      point *= unit;
+    }
+    Refinement wanted = refinement(0.5 * unit);
+    wanted.distance *= unit;
+    const Tetrahedra scaled = refine(mesh, find_features(mesh, 0.7, 0.01 * unit), wanted, {});
+    EXPECT_NEAR(volume(scaled), volume(one) * unit * unit * unit,
+                0.01 * volume(one) * unit * unit * unit);
+    EXPECT_NEAR(static_cast<double>(scaled.tetrahedra.size()),
+                static_cast<double>(one.tetrahedra.size()),
+                0.1 * static_cast<double>(one.tetrahedra.size()));
+  }
+}
+
 TEST(DelaunayRefinement, is_the_same_each_time) {
   const TriMesh mesh = test::tube(2, 0, 6, 32);
   const Tetrahedra once = refined(mesh, refinement(0.5)), again = refined(mesh, refinement(0.5));

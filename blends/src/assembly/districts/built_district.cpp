@@ -344,7 +344,9 @@ class Builder {
     return result;
   }
 
-  // What bounds the fluid is a bore, an open end or a solid part; else a bore reaches out.
+  // What bounds the fluid is a bore, an open end or a solid part; else a bore reaches out: of its
+  // own part where meshes are too coarse for the wall between them, and of another one where it
+  // leaves its own by an open end, which it goes through.
   void refuse_broken_walls(const Solid& fluid) const {
     std::map<std::string_view, std::uint32_t> outside;
     const auto include = [&](const auto& named) {
@@ -358,15 +360,32 @@ class Builder {
     for (std::size_t i = 0; i < fluid.triangle_count(); ++i) {
       const auto part = outside.find(fluid.names()[fluid.labels()[i]]);
       if (part != outside.end()) {
+        const std::string bore = bore_beside(fluid, fluid.labels()[i]);
         const Vec3& at = fluid.nearest_points()[fluid.triangles()[i][0]];
         throw Error(Errc::infeasible_blend,
-                    "its surface lies inside of '" + bore_beside(fluid, fluid.labels()[i]) +
-                        "' at " + decimal(at) +
-                        ": there is no wall; it must be thinner, or one of the two without a bore "
-                        "(\"wall\": 0)",
+                    "its surface lies inside of '" + bore + "' at " + decimal(at) + ": " +
+                        wall_advice(part->first, bore),
                     std::string(part->first), document_place(assembly_, part->second));
       }
     }
+  }
+
+  [[nodiscard]] std::string wall_advice(std::string_view part, std::string_view bore) const {
+    const std::string_view bored = bore.substr(0, bore.rfind(assembly::kBoreSuffix));
+    if (part == bored || are_neighbours(part, bored)) {
+      return "meshes are too coarse there for the wall; choose a smaller tolerance, or a thicker "
+             "wall";
+    }
+    return "there is no wall where an open end of '" + std::string(bored) +
+           "' is cut; that end must be elsewhere, or '" + std::string(bored) +
+           "' without a bore (\"wall\": 0)";
+  }
+
+  [[nodiscard]] bool are_neighbours(std::string_view a, std::string_view b) const {
+    const auto part = std::ranges::find(resolved_.parts, a, &ResolvedPart::name);
+    return part != resolved_.parts.end() && std::ranges::any_of(part->joined, [&](const auto& end) {
+             return end && resolved_.parts[end->part].name == b;
+           });
   }
 
   // An end of a bore that bounds the fluid, though no part goes on from it, lies inside of a wall.
@@ -401,14 +420,19 @@ class Builder {
         is_corner[corner] = is_corner[corner] || fluid.labels()[i] == label;
       }
     }
+    const std::string own = fluid.names()[label] + std::string(assembly::kBoreSuffix);
+    std::optional<std::string> other;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const std::string& name = fluid.names()[fluid.labels()[i]];
       if (name.ends_with(assembly::kBoreSuffix) &&
           std::ranges::any_of(triangles[i], [&](auto corner) { return is_corner[corner]; })) {
-        return name;
+        if (name == own) {
+          return own;
+        }
+        other = other.value_or(name);
       }
     }
-    return "a bore";
+    return other.value_or("a bore");
   }
 
   Assembly assembly_;

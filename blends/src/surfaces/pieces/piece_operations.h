@@ -16,7 +16,8 @@ namespace dupin::surfaces {
 struct PieceExtent {
   double smallest;     ///< length or radius
   double largest = 0;  ///< coordinate
-  /// Of a bend from its axis, which neighbouring rows have between them.
+  /// About: of a bend's inside from its axis, along it, or between its ends, which rows that are
+  /// neighbours, or these ends, have between them.
   double clearance = std::numeric_limits<double>::infinity();
 };
 

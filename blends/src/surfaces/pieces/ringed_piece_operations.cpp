@@ -114,7 +114,11 @@ PieceExtent extent(const RingedSurface& surface, double) {
     result.smallest = (surface.end.center - surface.start.center).norm();
   }
   if (const auto* arc = std::get_if<ArcSpine>(&surface.spine)) {
-    result.clearance = (arc->start - arc->center).norm() - largest_radius(surface.radius);
+    const double bend_radius = (arc->start - arc->center).norm();
+    const double to_axis = bend_radius - largest_radius(surface.radius);
+    const double open = std::max(2 * std::numbers::pi - arc->angle, 0.0);
+    result.smallest = bend_radius * arc->angle;
+    result.clearance = to_axis * std::min({arc->angle, open, 1.0});
   }
   return result;
 }

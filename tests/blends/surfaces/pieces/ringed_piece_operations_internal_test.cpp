@@ -132,9 +132,21 @@ TEST(RingedPieceOperations, claims_the_curvature_that_it_ends_with) {
   EXPECT_FALSE(tangency_claim(elbow(5, 2), End::end).curvature.has_value()) << "has folded";
 }
 
-TEST(RingedPieceOperations, length_of_straight_ones_matters_to_the_lattice) {
+TEST(RingedPieceOperations, lengths_matter_to_the_lattice) {
   EXPECT_EQ(extent(straight(CubicRadius{1, 2}, 0), 0).smallest, 4);
-  EXPECT_EQ(extent(elbow(1, .1), 0).smallest, std::numeric_limits<double>::infinity());
+  const auto torus = [](double angle) {
+    return extent(RingedSurface{{},
+                                {},
+                                ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(4, 0, 0), angle},
+                                ConstantRadius{1}},
+                  0);
+  };
+  const double turn = 2 * std::numbers::pi;
+  EXPECT_EQ(torus(2).smallest, 8);
+  EXPECT_EQ(torus(2).clearance, 3);
+  EXPECT_EQ(torus(1e-6).smallest, 4e-6);
+  EXPECT_DOUBLE_EQ(torus(1e-6).clearance, 3e-6);
+  EXPECT_NEAR(torus(turn - 1e-6).clearance, 3e-6, 1e-14) << "between its ends";
 }
 
 TEST(RingedPieceOperations, nurbs_are_exact_or_lofted) {
