@@ -25,6 +25,7 @@
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/solver_mesh.h"
 #include "meshing/edge_lengths.h"
+#include "meshing/unit_scale.h"
 
 namespace dupin::meshing {
 namespace {
@@ -163,6 +164,7 @@ class Sizes {
 
   struct Watch {
     const Progress& progress;
+    double unit;
     std::size_t most;  // questions
     std::size_t asked = 0;
   };
@@ -175,9 +177,10 @@ class Sizes {
       tell(watch_->progress, "mesh");
     }
     if (watch_->asked > watch_->most) {
+      const Vec3 place = watch_->unit * vector_of(point);
       std::ostringstream text;
       text << "a mesh with these lengths and distances gets too many points, the last ones near "
-           << point.x() << " " << point.y() << " " << point.z()
+           << place.x() << " " << place.y() << " " << place.z()
            << "; sharp edges or borders may be too near each other there";
       throw Error(Errc::limit_exceeded, text.str());
     }
@@ -212,9 +215,10 @@ void insert_seeds(Complex& complex, const Domain& domain, const Refinement& want
 /// What the generator asks for and is told.
 class Generation {
  public:
-  Generation(const Refinement& wanted, const Progress& progress)
+  /// What is wanted is so in the unit.
+  Generation(const Refinement& wanted, double unit, const Progress& progress)
       : wanted_(wanted),
-        watch_{progress, kQuestions * wanted.most_points},
+        watch_{progress, unit, kQuestions * wanted.most_points},
         radius_([this](const Vec3&) { return wanted_.radius; }) {
     CGAL::get_default_random() = CGAL::Random(0);
   }
@@ -267,8 +271,9 @@ class Generation {
   CGAL::Mesh_error_code code_ = CGAL::CGAL_MESH_3_NO_ERROR;
 };
 
-Complex generated(const Domain& domain, const Refinement& wanted, const Progress& progress) {
-  Generation generation(wanted, progress);
+Complex generated(const Domain& domain, const Refinement& wanted, double unit,
+                  const Progress& progress) {
+  Generation generation(wanted, unit, progress);
   const Criteria criteria = generation.criteria();
   Complex complex;
   generation.protect(complex, domain, criteria);
@@ -415,46 +420,73 @@ Tetrahedra tetrahedra_of(const Complex& complex) {
   return result;
 }
 
-}  // namespace
+/// Warnings go to whoever reads what is made, not to standard error.
+class QuietWarnings {
+ public:
+  QuietWarnings() : before_(CGAL::set_warning_handler(&ignore)) {}
+  ~QuietWarnings() { CGAL::set_warning_handler(before_); }
+  QuietWarnings(const QuietWarnings&) = delete;
+  QuietWarnings& operator=(const QuietWarnings&) = delete;
 
-Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinement& wanted,
-                  const Progress& progress) {
-  CGAL::Random random(0);
-  Domain domain(surface_of(mesh, features), &random);
-  const std::vector<Polyline> lines = polylines_of(features);
-  domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
-                                     Part<&Polyline::regions>());
+ private:
+  static void ignore(const char*, const char*, const char*, int, const char*) {}
+  CGAL::Failure_function before_;
+};
+
+/// What the generator makes, in the unit, or nothing where it gives up.
+template <class Make>
+Tetrahedra unless_failed(double unit, const Make& make) {
+  const QuietWarnings quiet;
   try {
-    return tetrahedra_of(generated(domain, wanted, progress));
+    Tetrahedra made = make();
+    for (Vec3& point : made.points) {
+      point *= unit;
+    }
+    return made;
   } catch (const CGAL::Failure_exception&) {
     return {};  // an assumption of it on a point that it has computed does not hold
   }
 }
 
-Tetrahedra refine_surface(const TriMesh& mesh, const Features& features, const CurvePoints& balls,
-                          const Refinement& wanted, const Progress& progress) {
+}  // namespace
+
+Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinement& wanted,
+                  const Progress& progress) {
+  const double unit = unit_for(mesh);
   CGAL::Random random(0);
-  const Surface surface = soup_of(mesh);
-  const std::array<const Surface*, 1> surfaces = {&surface};
-  Domain domain(surfaces.begin(), surfaces.end(), &random);
-  const std::vector<Polyline> lines = polylines_of(features);
+  Domain domain(surface_of(in_unit(mesh, unit), features), &random);
+  const std::vector<Polyline> lines = polylines_of(in_unit(features, unit));
   domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
                                      Part<&Polyline::regions>());
-  try {
-    Generation generation(wanted, progress);
+  return unless_failed(unit, [&] {
+    return tetrahedra_of(generated(domain, in_unit(wanted, unit), unit, progress));
+  });
+}
+
+Tetrahedra refine_surface(const TriMesh& mesh, const Features& features, const CurvePoints& balls,
+                          const Refinement& wanted, const Progress& progress) {
+  const double unit = unit_for(mesh);
+  CGAL::Random random(0);
+  const Surface surface = soup_of(in_unit(mesh, unit));
+  const std::array<const Surface*, 1> surfaces = {&surface};
+  Domain domain(surfaces.begin(), surfaces.end(), &random);
+  const std::vector<Polyline> lines = polylines_of(in_unit(features, unit));
+  domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
+                                     Part<&Polyline::regions>());
+  return unless_failed(unit, [&]() -> Tetrahedra {
+    const Refinement scaled = in_unit(wanted, unit);
+    Generation generation(scaled, unit, progress);
     const Criteria criteria = generation.criteria();
     Complex complex;
     insert_far_points(complex, domain);
-    const std::vector<VertexHandle> vertices = insert_balls(complex, domain, balls);
+    const std::vector<VertexHandle> vertices = insert_balls(complex, domain, in_unit(balls, unit));
     if (vertices.size() < balls.points.size()) {
       return {};
     }
-    insert_seeds(complex, domain, wanted);
+    insert_seeds(complex, domain, scaled);
     generation.refine(complex, domain, criteria);
     return triangles_of(complex, vertices);
-  } catch (const CGAL::Failure_exception&) {
-    return {};  // an assumption of it on a point that it has computed does not hold
-  }
+  });
 }
 
 }  // namespace dupin::meshing

@@ -1,0 +1,56 @@
+#include "meshing/unit_scale.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace dupin::meshing {
+
+double unit_for(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : mesh.points) {
+    box.extend(point);
+  }
+  const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  return extent > 0 ? std::ldexp(1, std::ilogb(extent)) : 1;
+}
+
+TriMesh in_unit(TriMesh mesh, double unit) {
+  for (Vec3& point : mesh.points) {
+    point /= unit;
+  }
+  return mesh;
+}
+
+Features in_unit(Features features, double unit) {
+  for (Curve& curve : features.curves) {
+    for (Vec3& point : curve.points) {
+      point /= unit;
+    }
+  }
+  features.absorbed /= unit;
+  return features;
+}
+
+CurvePoints in_unit(CurvePoints balls, double unit) {
+  for (CurvePoint& ball : balls.points) {
+    ball.place /= unit;
+    ball.radius /= unit;
+  }
+  return balls;
+}
+
+Refinement in_unit(Refinement wanted, double unit) {
+  wanted.edge_length = [length = std::move(wanted.edge_length), unit](const Vec3& point) {
+    return length(point * unit) / unit;
+  };
+  wanted.radius /= unit;
+  wanted.distance /= unit;
+  for (Seed& seed : wanted.seeds) {
+    seed.point /= unit;
+  }
+  return wanted;
+}
+
+}  // namespace dupin::meshing
