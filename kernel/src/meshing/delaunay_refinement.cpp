@@ -70,8 +70,38 @@ class ExudationTraits : public CGAL::Kernel_traits<Domain>::Kernel {
 };
 
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, ExudationTraits>::type;
-using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
-                                                        Domain::Curve_index>;
+
+/// What is made. Where the generator looks at simplices again and again, and adds no point, as it
+/// does for ever where the one that it wants cannot be, that is found out: it throws Stalled.
+class Complex : public CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
+                                                               Domain::Curve_index> {
+  using Base = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
+                                                       Domain::Curve_index>;
+
+ public:
+  struct Stalled {};
+  void watch(bool on) {
+    is_watched_ = on;
+    looked_ = 0;
+  }
+
+  template <class... Simplex>
+  [[nodiscard]] bool is_in_complex(const Simplex&... simplex) const {
+    constexpr std::size_t kOften = 64, kAtLeast = 1 << 20;
+    if (is_watched_ && ++looked_ > kAtLeast + kOften * triangulation().number_of_cells()) {
+      if (points_ == triangulation().number_of_vertices()) {
+        throw Stalled();
+      }
+      points_ = triangulation().number_of_vertices();
+      looked_ = 0;
+    }
+    return Base::is_in_complex(simplex...);
+  }
+
+ private:
+  bool is_watched_ = false;
+  mutable std::size_t looked_ = 0, points_ = 0;  // since when there are so many points
+};
 
 }  // namespace
 }  // namespace dupin::meshing
@@ -250,10 +280,14 @@ class Generation {
         given::mesh_3_options(given::maximal_number_of_vertices = wanted_.most_points,
                               given::pointer_to_error_code = &code_);
     const auto topology = wanted_.fill ? given::manifold() : given::manifold_with_boundary();
-    CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(),
-                        wanted_.fill ? given::exude() : given::no_exude(), given::no_perturb(),
-                        given::no_odt(), given::no_lloyd(), options, topology);
+    complex.watch(true);
+    CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(), given::no_exude(),
+                        given::no_perturb(), given::no_odt(), given::no_lloyd(), options, topology);
+    complex.watch(false);
     require_room();
+    if (wanted_.fill) {  // as long as it takes: what is left out would depend on how fast that is
+      CGAL::exude_mesh_3(complex, given::time_limit = 0);
+    }
   }
 
  private:
@@ -445,6 +479,8 @@ Tetrahedra unless_failed(double unit, const Make& make) {
     return made;
   } catch (const CGAL::Failure_exception&) {
     return {};  // an assumption of it on a point that it has computed does not hold
+  } catch (const Complex::Stalled&) {
+    return {};
   }
 }
 
