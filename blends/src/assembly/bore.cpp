@@ -10,6 +10,7 @@
 
 #include "assembly/fillet_part.h"
 #include "assembly/line_and_arc.h"
+#include "assembly/narrowed_shape.h"
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
@@ -28,108 +29,6 @@ namespace {
 constexpr double kReach = 1.0 / 8;  // beyond an end, of the wall
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
-
-double less_wall(double radius, double wall) {
-  if (!(radius > wall)) {
-    refuse("a wall of " + decimal(wall, kMessageDigits) +
-           " leaves no bore where the radius is only " + decimal(radius, kMessageDigits));
-  }
-  return radius - wall;
-}
-
-Ring narrowed(Ring ring, double wall) {
-  ring.radius = less_wall(ring.radius, wall);
-  if (ring.ellipse) {
-    ring.ellipse->across = less_wall(ring.ellipse->across, wall);
-  }
-  return ring;
-}
-
-// Of a cyclide's cone the parallel one, on which the ring moves along the axis.
-Ring parallel(Ring ring, double wall) {
-  const double stretch = std::hypot(1, ring.slope);
-  ring.center += wall * ring.slope / stretch * ring.normal;
-  ring.radius = less_wall(ring.radius, wall / stretch);
-  return ring;
-}
-
-struct NarrowedLaw {
-  double wall;
-  RadiusLaw operator()(const ConstantRadius& law) const {
-    return ConstantRadius{less_wall(law.radius, wall)};
-  }
-  // The cyclide law's values are less by the wall, or more: x - wall is above the root for the
-  // lessened radii wherever x is that for the radii.
-  template <class Law>
-  RadiusLaw operator()(const Law& law) const {
-    return Law{less_wall(law.start, wall), less_wall(law.end, wall)};
-  }
-  RadiusLaw operator()(BezierRadius law) const {
-    for (double& coefficient : law.coefficients) {
-      coefficient = less_wall(coefficient, wall);
-    }
-    return law;
-  }
-};
-
-RadiusLaw narrowed(const RadiusLaw& law, double wall) { return std::visit(NarrowedLaw{wall}, law); }
-
-struct NarrowedPiece {
-  double wall;
-
-  Piece operator()(const RingedSurface& tube) const {
-    return RingedSurface{narrowed(tube.start, wall), narrowed(tube.end, wall), tube.spine,
-                         narrowed(tube.radius, wall)};
-  }
-  Piece operator()(EllipticTube tube) const {
-    tube.start = narrowed(tube.start, wall);
-    tube.end = narrowed(tube.end, wall);
-    tube.first = narrowed(tube.first, wall);
-    tube.second = narrowed(tube.second, wall);
-    return tube;
-  }
-  Piece operator()(RationalRingedTube tube) const {
-    tube.start = narrowed(tube.start, wall);
-    tube.end = narrowed(tube.end, wall);
-    for (double& radius : tube.surface.radius) {
-      radius = less_wall(radius, wall);
-    }
-    return tube;
-  }
-  Piece operator()(const CyclidePiece& /*piece*/) const {
-    refuse("a bore through cyclide pieces and others in one part is not built");
-  }
-};
-
-struct NarrowedSurface {
-  double wall;
-
-  PartSurface operator()(const Sphere& sphere) const {
-    return Sphere{sphere.center, less_wall(sphere.radius, wall)};
-  }
-  PartSurface operator()(const Chain& chain) const {
-    if (!chain.pieces.empty() && cyclide_pieces(chain).size() == chain.pieces.size()) {
-      if (wall > 0) {
-        return inner_skin(hollow(chain, wall));
-      }
-      Chain skin = chain;
-      skin.wall = wall;
-      return inner_skin(skin);
-    }
-    Chain result = chain;
-    for (Piece& piece : result.pieces) {
-      piece = std::visit(NarrowedPiece{wall}, piece);
-    }
-    return result;
-  }
-};
-
-// Both less their walls.
-std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
-                                    const std::array<double, 2>& walls) {
-  return {std::visit(NarrowedSurface{walls[0]}, *pipes[0]),
-          std::visit(NarrowedSurface{walls[1]}, *pipes[1])};
-}
 
 // A bore with this ring at its end: where it is the ring of its own, bitwise, and where it is a
 // cyclide's neighbour.
@@ -244,7 +143,7 @@ class Borer {
     if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
       part.shape = kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
     } else if (!part.ends_in_hub) {
-      part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
+      part.shape = narrowed(part.shape, walls_[part.index]);
     }
   }
 
@@ -351,17 +250,30 @@ class Borer {
     const auto smaller = largest_radius_below(radius, [&](double tried) {
       return !fillet_fault(pipes, names, tried + thicker) && !fillet_fault(around, names, tried);
     });
-    const auto thinner = largest_radius_below(thicker, [&](double tried) {
-      const double share = tried / thicker;
-      const auto bores = narrowed(around, {walls_[one.index] * share, walls_[other.index] * share});
-      return !fillet_fault({&bores[0], &bores[1]}, names, radius + tried);
-    });
+    const std::array<double, 2> walls{walls_[one.index], walls_[other.index]};
+    const std::array<double, 2> outward{outward_distance(assembly_, assembly_.parts[one.index]),
+                                        outward_distance(assembly_, assembly_.parts[other.index])};
+    const auto fits_with = [&](double share) {  // of both walls, which are outside, too
+      const double less = 1 - share;
+      const auto outer = narrowed(around, {outward[0] * less, outward[1] * less});
+      const std::array<const PartSurface*, 2> both{&outer[0], &outer[1]};
+      const auto bores = narrowed(both, {walls[0] * share, walls[1] * share});
+      return !fillet_fault(both, names, radius) &&
+             !fillet_fault({&bores[0], &bores[1]}, names, radius + thicker * share);
+    };
+    const bool are_alike = walls[0] == walls[1];
+    const double whole = are_alike ? thicker : 1;
+    const auto thinner =
+        largest_radius_below(whole, [&](double tried) { return fits_with(tried / whole); });
     if (!smaller && !thinner) {
       return "; neither a smaller fillet nor a thinner wall would do";
     }
     return (smaller ? "; a fillet of radius " + decimal(*smaller) : std::string("; ")) +
            (smaller && thinner ? ", or " : "") +
-           (thinner ? "a wall of " + decimal(*thinner) : std::string()) + " would do";
+           (!thinner    ? std::string()
+            : are_alike ? "a wall of " + decimal(*thinner)
+                        : "walls " + decimal(*thinner) + " times as thick") +
+           " would do";
   }
 
   [[nodiscard]] double thicker_wall(const ResolvedFillet& fillet) const {

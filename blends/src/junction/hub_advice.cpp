@@ -107,15 +107,15 @@ class Setbacks {
   std::vector<double> setbacks_;
 };
 
-std::string list_of(const std::vector<double>& setbacks) {
+std::string list_of(std::span<const Ring> ends, const std::vector<double>& setbacks) {
   constexpr std::ptrdiff_t kMost = 12;
   std::string result;
   std::ptrdiff_t named = 0;
   const auto all = std::ranges::count_if(setbacks, [](double s) { return s > 0; });
   for (std::size_t i = 0; i < setbacks.size(); ++i) {
     if (setbacks[i] > 0 && ++named <= kMost) {
-      result += (named == 1 ? "" : ", ") + ("end " + std::to_string(i + 1)) + " by " +
-                number(setbacks[i]);
+      result += (named == 1 ? "" : ", ") + ("end " + std::to_string(i + 1)) +
+                (ends[i].slope == 0 ? " by " : " along its cone by ") + number(setbacks[i]);
     }
   }
   return all > kMost ? result + " and others" : result;
@@ -126,7 +126,7 @@ std::string of_setbacks(std::span<const Ring> ends, const JunctionOptions& optio
   const std::string near =
       "end " + std::to_string(*refused.end + 1) + " is too near to the hub's centre";
   const auto enough = Setbacks(ends, options, refused.setbacks).run();
-  return enough ? near + ": it would do to move back " + list_of(*enough)
+  return enough ? near + ": it would do to move back " + list_of(ends, *enough)
                 : near + ", by at least " + number(refused.setbacks[*refused.end]) +
                       "; no ends further back along their axes were found that do";
 }

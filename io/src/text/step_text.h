@@ -51,28 +51,23 @@ inline std::string printable(std::string_view name) {
   return result;
 }
 
-// ISO 10303-21 writes characters that are not ASCII as \X2\ and four hexadecimal digits of UTF-16.
+// ISO 10303-21 writes characters that are not ASCII as \X2\ and four hexadecimal digits, or, of
+// those that need them, \X4\ and eight.
 // What breaks lines in between knows nothing of that, nor of doubled quotes; so names take a
 // detour.
 
 /// The name as one line of printable ASCII without quotes and backslashes: these and all else are
-/// "~" and four hexadecimal digits of UTF-16, "~".
+/// "~" and four hexadecimal digits, or eight, "~".
 inline std::string step_token(std::string_view name) {
   std::string result;
-  const auto put = [&](std::uint32_t unit) {
-    char digits[7];
-    (void)std::snprintf(digits, sizeof digits, "~%04X~", unit);
-    result += digits;
-  };
   for (std::string rest = printable(name); !rest.empty();) {
     const auto [value, length] = code_point(rest);
     if (value < 0x80 && value != '~' && value != '\'' && value != '\\') {
       result += char(value);
-    } else if (value < 0x10000) {
-      put(value);
     } else {
-      put(0xD800 + ((value - 0x10000) >> 10));
-      put(0xDC00 + ((value - 0x10000) & 0x3FF));
+      char digits[11];
+      (void)std::snprintf(digits, sizeof digits, value < 0x10000 ? "~%04X~" : "~%08X~", value);
+      result += digits;
     }
     rest.erase(0, length);
   }
@@ -87,7 +82,9 @@ inline std::string with_step_strings(std::string_view file) {
   bool is_token = false;
   for (const char c : file) {
     if (c == '~') {
-      result += is_token ? digits + "\\X0\\" : "\\X2\\";
+      if (is_token) {
+        result += (digits.size() == 8 ? "\\X4\\" : "\\X2\\") + digits + "\\X0\\";
+      }
       digits.clear();
       is_token = !is_token;
     } else if (is_token) {

@@ -119,6 +119,46 @@ TEST(Bore, of_tees_in_all_positions_is_a_larger_balls_or_says_what_would_do) {
   EXPECT_EQ(bores + refusals, 36);
 }
 
+// The outer surface, and the crossing on it, change with a wall that is outside; where the two
+// walls differ, it is said by how much of both.
+TEST(Bore, of_tees_with_walls_outside_is_made_with_the_walls_that_are_said_to_do) {
+  int walls = 0, shares = 0;
+  for (const WallSide side : {WallSide::inwards, WallSide::centred, WallSide::outwards}) {
+    for (const double of_branch : {1.0, 0.5}) {
+      for (const double ball : {6.0, 9.0, 12.0}) {
+        const double wall = 2;
+        const auto document = [&](double share) {
+          Assembly assembly = walled(
+              {pipe("run", {-60, 0, 0}, {60, 0, 0}, 9), pipe("branch", {0, 0, 0}, {30, 0, 60}, 4),
+               fillet("f", "run", "branch", ball)},
+              wall * share);
+          assembly.wall_side = side;
+          assembly.parts[1].wall = of_branch * wall * share;
+          return assembly;
+        };
+        SCOPED_TRACE(testing::Message() << int(side) << ' ' << of_branch << ' ' << ball);
+        try {
+          (void)regions(document(1));
+        } catch (const Error& error) {
+          const std::string why = error.what();
+          const auto wall_at = why.find("a wall of "), share_at = why.find("or walls ");
+          if (wall_at != std::string::npos) {
+            EXPECT_EQ(of_branch, 1);
+            EXPECT_NO_THROW((void)regions(document(std::stod(why.substr(wall_at + 10)) / wall)));
+            ++walls;
+          } else if (share_at != std::string::npos) {
+            EXPECT_THAT(why, HasSubstr(" times as thick would do"));
+            EXPECT_NO_THROW((void)regions(document(std::stod(why.substr(share_at + 9)))));
+            ++shares;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GE(walls, 3);
+  EXPECT_GE(shares, 3);
+}
+
 // The last cone narrows on its way to the hub, to less than the wall.
 TEST(Bore, of_a_junction_is_refused_where_an_arm_is_thinner_than_the_wall) {
   JunctionOfPorts hub;

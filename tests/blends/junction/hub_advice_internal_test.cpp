@@ -26,10 +26,12 @@ std::vector<Ring> random_ends(unsigned seed) {
 
 // The ends further back by what the text says, times a factor.
 std::vector<Ring> as_told(std::vector<Ring> ends, const std::string& text, double times) {
-  static const std::regex kMove(R"(end (\d+) by ([0-9.e+-]+\d))");
+  static const std::regex kMove(R"(end (\d+)(?: along its cone)? by ([0-9.e+-]+\d))");
   for (std::sregex_iterator it(text.begin(), text.end(), kMove), last; it != last; ++it) {
     Ring& end = ends.at(std::stoul((*it)[1]) - 1);
-    end.center -= times * std::stod((*it)[2]) * end.normal;
+    const double way = times * std::stod((*it)[2]);
+    end.center -= way * end.normal;
+    end.radius -= way * end.slope;
   }
   return ends;
 }
@@ -54,6 +56,28 @@ TEST(HubAdvice, ends_that_are_moved_back_as_it_says_do_and_a_little_less_does_no
   }
   EXPECT_GT(moved, 10);
   EXPECT_LT(in_vain, moved / 4);
+}
+
+// Moved with the radius that it has, an end of a cone would not do.
+TEST(HubAdvice, moves_ends_of_cones_along_them) {
+  int moved = 0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::vector<Ring> ends = random_ends(seed);
+    for (Ring& end : ends) {
+      end.slope = 0.1;
+    }
+    const JunctionSearch refused = search_junction(ends);
+    if (refused.junction || refused.setbacks.empty()) {
+      continue;
+    }
+    const std::string text = advice(ends, {}, refused);
+    if (text.find("it would do to move back") != std::string::npos) {
+      EXPECT_THAT(text, testing::HasSubstr(" along its cone by "));
+      EXPECT_TRUE(search_junction(as_told(ends, text, 1)).junction) << seed << ": " << text;
+      ++moved;
+    }
+  }
+  EXPECT_GT(moved, 5);
 }
 
 TEST(HubAdvice, says_which_smoothness_would_do) {

@@ -22,7 +22,7 @@ TEST(StepText, writes_names_as_the_standard_asks_for) {
            {"a\\b~", "a\\X2\\005C\\X0\\b\\X2\\007E\\X0\\"},
            {"\u00e4", "\\X2\\00E4\\X0\\"},
            {"\u65e5", "\\X2\\65E5\\X0\\"},
-           {"\U0001F600", "\\X2\\D83D\\X0\\\\X2\\DE00\\X0\\"},
+           {"\U0001F600", "\\X4\\0001F600\\X0\\"},
            {"a\nb", "a\\X2\\FFFD\\X0\\b"},
            {"\x80", "\\X2\\FFFD\\X0\\"},
            {"", ""}}) {
@@ -31,8 +31,8 @@ TEST(StepText, writes_names_as_the_standard_asks_for) {
 }
 
 TEST(StepText, keeps_names_whole_where_lines_are_broken) {
-  const std::string token = step_token("\u65e5\u672c'\u8a9e");
-  for (std::size_t width = 1; width < 8; ++width) {
+  const std::string token = step_token("\u65e5\u672c'\U0001F600\u8a9e");
+  for (std::size_t width = 1; width < 12; ++width) {
     std::string text = with_step_strings(broken(token, width));
     std::erase(text, '\n');
     EXPECT_EQ(text, with_step_strings(token)) << width;

@@ -36,13 +36,15 @@ struct Carrier {
   double drift = 0;  // bound of the angle lost on the way
 };
 
+constexpr double kAxesShare = 1. / 64;  // of the tolerance: for what axes are off
+
 // An axis that is off by an angle moves points of the ellipse along it by up to the difference of
 // the semi-axes times that. The tube ends where its rings are, so that both ends' share counts.
 Carrier carrier(const EllipticTube& tube, const tessellation::BandStepper& march,
                 double tolerance) {
-  constexpr double kShare = 1. / 64, kFewestSteps = 1 << 10, kMostSteps = 1 << 20;
+  constexpr double kFewestSteps = 1 << 10, kMostSteps = 1 << 20;
   const double lost = 0.27 * march.squared_turning();
-  const double wanted = 2 * lost * largest_radius(tube) / (kShare * tolerance);
+  const double wanted = 2 * lost * largest_radius(tube) / (kAxesShare * tolerance);
   const double steps = std::clamp(std::ceil(wanted), kFewestSteps, kMostSteps);
   return {steps, lost / steps};
 }
@@ -117,7 +119,9 @@ std::uint32_t segments_for(const EllipticTube& tube, double tolerance, double gr
     return tessellation::segment_count(std::numbers::pi /
                                        std::acos(1 - std::min(allowed / radius, 1.0)));
   }
-  return tessellation::segment_count(2 * std::numbers::pi * std::sqrt(radius / (2 * allowed)));
+  // What rounding adds to the axes' share is less than another one.
+  const double left = std::max(allowed - 2 * kAxesShare * tolerance, allowed / 2);
+  return tessellation::segment_count(2 * std::numbers::pi * std::sqrt(radius / (2 * left)));
 }
 
 double expected_bands(const EllipticTube& tube, const RingSampling& sampling, double tolerance) {

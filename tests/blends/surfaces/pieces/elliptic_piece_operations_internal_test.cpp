@@ -63,6 +63,33 @@ TEST(EllipticPieceOperations, rows_turn_as_the_continuity_eases_them) {
   }
 }
 
+// What axes are off by counts, too, which segments were chosen without.
+TEST(EllipticPieceOperations, keeps_to_the_tolerance_where_axes_are_carried) {
+  for (const double turn : {0.0, 0.4, 1.2}) {
+    for (const double tolerance : {0.05, 0.0123, 0.004, 0.0032, 0.0028, 0.0011, 0.0009}) {
+      for (const double radius : {1.3, 2.0, 4.7}) {
+        SCOPED_TRACE(testing::Message() << turn << ' ' << tolerance << ' ' << radius);
+        const EllipticTube tube = upright(CubicRadius{radius, 1.5}, LinearRadius{1, 1.2}, turn);
+        const Tessellation found =
+            surfaces::tessellate(tube, {segments_for(tube, tolerance, 0)}, {tolerance});
+        EXPECT_LE(found.error_bound, tolerance);
+        EXPECT_GE(found.error_bound, tolerance / 2);
+        const Ring ring{Vec3(3, 0, 0), Vec3(0, -1, 0), radius / 2, 0,
+                        Ellipse{Vec3::UnitZ(), radius / 3}};
+        const Ring other{Vec3(0, 3, 0), Vec3(-1, 0, 0), radius / 2, 0,
+                         Ellipse{Vec3::UnitZ(), radius / 3}};
+        EllipticTube bend{ring, other,
+                          ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(3, 0, 0), std::acos(0.0)},
+                          ConstantRadius{radius / 2}, ConstantRadius{radius / 3}};
+        bend.axis = Vec3::UnitZ();
+        const Tessellation bent =
+            surfaces::tessellate(bend, {segments_for(bend, tolerance, 0)}, {tolerance});
+        EXPECT_LE(bent.error_bound, tolerance);
+      }
+    }
+  }
+}
+
 TEST(EllipticPieceOperations, plane_quadrilaterals_take_one_band) {
   struct Row {
     EllipticTube tube;

@@ -1,0 +1,125 @@
+#include "assembly/narrowed_shape.h"
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/cyclide_tube.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+
+double less_wall(double radius, double wall) {
+  if (!(radius > wall)) {
+    throw Error(Errc::infeasible_blend, "a wall of " + decimal(wall, kMessageDigits) +
+                                            " leaves no bore where the radius is only " +
+                                            decimal(radius, kMessageDigits));
+  }
+  return radius - wall;
+}
+
+Ring narrowed(Ring ring, double wall) {
+  ring.radius = less_wall(ring.radius, wall);
+  if (ring.ellipse) {
+    ring.ellipse->across = less_wall(ring.ellipse->across, wall);
+  }
+  return ring;
+}
+
+Ring parallel(Ring ring, double wall) {
+  const double stretch = std::hypot(1, ring.slope);
+  ring.center += wall * ring.slope / stretch * ring.normal;
+  ring.radius = less_wall(ring.radius, wall / stretch);
+  return ring;
+}
+
+namespace {
+
+struct NarrowedLaw {
+  double wall;
+  RadiusLaw operator()(const ConstantRadius& law) const {
+    return ConstantRadius{less_wall(law.radius, wall)};
+  }
+  // The cyclide law's values are less by the wall, or more: x - wall is above the root for the
+  // lessened radii wherever x is that for the radii.
+  template <class Law>
+  RadiusLaw operator()(const Law& law) const {
+    return Law{less_wall(law.start, wall), less_wall(law.end, wall)};
+  }
+  RadiusLaw operator()(BezierRadius law) const {
+    for (double& coefficient : law.coefficients) {
+      coefficient = less_wall(coefficient, wall);
+    }
+    return law;
+  }
+};
+
+RadiusLaw narrowed_law(const RadiusLaw& law, double wall) {
+  return std::visit(NarrowedLaw{wall}, law);
+}
+
+struct NarrowedPiece {
+  double wall;
+
+  Piece operator()(const RingedSurface& tube) const {
+    return RingedSurface{narrowed(tube.start, wall), narrowed(tube.end, wall), tube.spine,
+                         narrowed_law(tube.radius, wall)};
+  }
+  Piece operator()(EllipticTube tube) const {
+    tube.start = narrowed(tube.start, wall);
+    tube.end = narrowed(tube.end, wall);
+    tube.first = narrowed_law(tube.first, wall);
+    tube.second = narrowed_law(tube.second, wall);
+    return tube;
+  }
+  Piece operator()(RationalRingedTube tube) const {
+    tube.start = narrowed(tube.start, wall);
+    tube.end = narrowed(tube.end, wall);
+    for (double& radius : tube.surface.radius) {
+      radius = less_wall(radius, wall);
+    }
+    return tube;
+  }
+  Piece operator()(const CyclidePiece& /*piece*/) const {
+    throw Error(Errc::infeasible_blend,
+                "a bore through cyclide pieces and others in one part is not built");
+  }
+};
+
+struct NarrowedSurface {
+  double wall;
+
+  PartSurface operator()(const Sphere& sphere) const {
+    return Sphere{sphere.center, less_wall(sphere.radius, wall)};
+  }
+  PartSurface operator()(const Chain& chain) const {
+    if (!chain.pieces.empty() && cyclide_pieces(chain).size() == chain.pieces.size()) {
+      if (wall > 0) {
+        return inner_skin(hollow(chain, wall));
+      }
+      Chain skin = chain;
+      skin.wall = wall;
+      return inner_skin(skin);
+    }
+    Chain result = chain;
+    for (Piece& piece : result.pieces) {
+      piece = std::visit(NarrowedPiece{wall}, piece);
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+PartSurface narrowed(const PartSurface& surface, double wall) {
+  return std::visit(NarrowedSurface{wall}, surface);
+}
+
+std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
+                                    const std::array<double, 2>& walls) {
+  return {narrowed(*pipes[0], walls[0]), narrowed(*pipes[1], walls[1])};
+}
+
+}  // namespace dupin::assembly

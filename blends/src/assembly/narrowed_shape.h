@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+#include "dupin/blends/part_surface.h"
+
+namespace dupin::assembly {
+
+/// `radius - wall`. Throws Error{infeasible_blend} where that is not positive; so do the others.
+[[nodiscard]] double less_wall(double radius, double wall);
+
+/// A ring, a surface and two pipes less their walls, or more where a wall is negative.
+[[nodiscard]] Ring narrowed(Ring ring, double wall);
+[[nodiscard]] PartSurface narrowed(const PartSurface& surface, double wall);
+[[nodiscard]] std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
+                                                  const std::array<double, 2>& walls);
+
+/// Of a cyclide's cone the ring of the parallel one, which is that moved along the axis.
+[[nodiscard]] Ring parallel(Ring ring, double wall);
+
+}  // namespace dupin::assembly

@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include "assembly/narrowed_shape.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+namespace {
+
+TEST(NarrowedShape, has_radii_less_the_wall_or_more) {
+  const Ring ring{Vec3(1, 2, 3), Vec3::UnitX(), 5, 0, Ellipse{Vec3::UnitY(), 4}};
+  EXPECT_EQ(narrowed(ring, 1).radius, 4);
+  EXPECT_EQ(narrowed(ring, 1).ellipse->across, 3);
+  EXPECT_EQ(narrowed(ring, -1).radius, 6);
+  EXPECT_EQ(std::get<Sphere>(narrowed(PartSurface(Sphere{Vec3(1, 2, 3), 2}), 0.5)).radius, 1.5);
+  const Ring a{Vec3::Zero(), -Vec3::UnitX(), 5}, b{Vec3(9, 0, 0), Vec3::UnitX(), 3};
+  const PartSurface cone =
+      Chain(RingedSurface{a, b, LineSpine{a.center, b.center}, LinearRadius{5, 3}});
+  const auto both = narrowed({&cone, &cone}, {1, 2});
+  const auto& first = std::get<RingedSurface>(std::get<Chain>(both[0]).pieces.front());
+  const auto& second = std::get<RingedSurface>(std::get<Chain>(both[1]).pieces.front());
+  EXPECT_EQ(evaluate(first.radius, 1).value, 2);
+  EXPECT_EQ(first.start.radius, 4);
+  EXPECT_EQ(evaluate(second.radius, 0).value, 3);
+  EXPECT_EQ(second.end.radius, 1);
+}
+
+TEST(NarrowedShape, leaves_no_more_than_there_is) {
+  EXPECT_EQ(less_wall(2, 1.5), 0.5);
+  EXPECT_THROW((void)less_wall(2, 2), Error);
+  EXPECT_THROW(
+      (void)narrowed(Ring{Vec3::Zero(), Vec3::UnitX(), 5, 0, Ellipse{Vec3::UnitY(), 1}}, 1), Error);
+}
+
+// The ring goes on along its cone, which moves out of itself by the wall.
+TEST(NarrowedShape, of_a_cone_has_a_parallel_ring) {
+  Ring ring{Vec3::Zero(), Vec3::UnitX(), 5, 0.75, {}};
+  const Ring inner = parallel(ring, 1);
+  EXPECT_DOUBLE_EQ(inner.radius, 5 - 1 / 1.25);
+  EXPECT_DOUBLE_EQ(inner.center.x(), 0.6);
+}
+
+}  // namespace
+}  // namespace dupin::assembly
