@@ -135,11 +135,10 @@ TEST(RingedPieceOperations, claims_the_curvature_that_it_ends_with) {
 TEST(RingedPieceOperations, lengths_matter_to_the_lattice) {
   EXPECT_EQ(extent(straight(CubicRadius{1, 2}, 0), 0).smallest, 4);
   const auto torus = [](double angle) {
-    return extent(RingedSurface{{},
-                                {},
-                                ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(4, 0, 0), angle},
-                                ConstantRadius{1}},
-                  0);
+    return extent(
+        RingedSurface{
+            {}, {}, ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(4, 0, 0), angle}, ConstantRadius{1}},
+        0);
   };
   const double turn = 2 * std::numbers::pi;
   EXPECT_EQ(torus(2).smallest, 8);
