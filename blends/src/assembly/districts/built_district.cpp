@@ -420,7 +420,7 @@ class Builder {
         is_corner[corner] = is_corner[corner] || fluid.labels()[i] == label;
       }
     }
-    const std::string own = fluid.names()[label] + std::string(assembly::kBoreSuffix);
+    std::string own = fluid.names()[label] + std::string(assembly::kBoreSuffix);
     std::optional<std::string> other;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const std::string& name = fluid.names()[fluid.labels()[i]];
