@@ -1,12 +1,13 @@
 #include "dupin/kernel/boolean.h"
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 #include <tuple>
 #include <vector>
 
 #include "booleans/combine.h"
 #include "mesh/exact_mesh.h"
+#include "support/sequences.h"
 
 namespace dupin {
 namespace {
@@ -53,18 +54,14 @@ bool precedes(const ExactMesh& a, const ExactMesh& b) {
 template <class Combine>
 Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
                     const Combine& combine) {
-  std::vector<std::uint32_t> order(operands.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size())),
-                   order.end(), [&](std::uint32_t i, std::uint32_t j) {
-                     return precedes(operands[i].exact(), operands[j].exact());
-                   });
-  const auto copies =
-      std::unique(order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size())),
-                  order.end(), [&](std::uint32_t i, std::uint32_t j) {
-                    return !precedes(operands[i].exact(), operands[j].exact());
-                  });
-  order.erase(copies, order.end());
+  std::vector<std::uint32_t> order = support::numbers_below(operands.size());
+  const auto alike =
+      order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size()));
+  const auto before = [&operands](std::uint32_t i, std::uint32_t j) {
+    return precedes(operands[i].exact(), operands[j].exact());
+  };
+  std::stable_sort(alike, order.end(), before);
+  order.erase(std::unique(alike, order.end(), std::not_fn(before)), order.end());
   std::vector<Solid> sorted;
   sorted.reserve(order.size());
   for (const std::uint32_t i : order) {

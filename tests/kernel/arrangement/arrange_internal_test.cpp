@@ -2,10 +2,12 @@
 #include <thread>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
 #include "arrangement/arrange.h"
+#include "dupin/kernel/error.h"
 #include "kernel/arrangement/stages_internal.h"
 #include "support/pipe_cases.h"
 
@@ -199,6 +201,22 @@ TEST(PositiveWindingBoundary, looks_for_crossings_where_it_is_told_only) {
   EXPECT_EQ(positive_winding_boundary(surface, {}, std::vector<std::uint8_t>(36, 0)).triangles,
             surface.triangles)
       << "nothing is cut";
+}
+
+TEST(Arrange, more_points_than_indices_are_refused) {
+  const Solid tube = Solid::from(test::tube(1, 0, 1, 4096));
+  // Copies of an operand share their coordinates, so this takes no memory to speak of.
+  const std::vector<const mesh::ExactMesh*> copies(
+      (std::size_t{1} << 31) / tube.triangle_count() + 1, &tube.exact());
+  constexpr std::uint64_t kPlenty = std::uint64_t{1} << 62;
+  try {
+    (void)arrange(copies, union_rule(copies.size()), {}, kPlenty);
+    FAIL() << "should have thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("a boolean operation takes fewer than 2147483648 of each"));
+  }
 }
 
 // A few of them tell, before all are searched.

@@ -32,15 +32,6 @@ void expect_refusal(const Function& function, Errc code, const std::string& part
   }
 }
 
-TEST(BooleanLimits, more_points_than_indices_are_refused) {
-  const Solid tube = Solid::from(test::tube(1, 0, 1, 4096));
-  // Copies of a solid share their coordinates, so this takes no memory to speak of.
-  const std::vector<Solid> copies((std::size_t{1} << 31) / tube.triangle_count() + 1, tube);
-  constexpr std::uint64_t kPlenty = std::uint64_t{1} << 62;
-  expect_refusal([&] { return unite(copies, {.memory_limit = kPlenty}); }, Errc::limit_exceeded,
-                 "a boolean operation takes fewer than 2147483648 of each");
-}
-
 TEST(BooleanLimits, memory_is_estimated_before_it_is_taken) {
   const std::vector<Solid> pair = solids("coax");
   expect_refusal([&] { return unite(pair, {.memory_limit = 100000}); }, Errc::limit_exceeded,
