@@ -62,12 +62,7 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
   };
   std::stable_sort(alike, order.end(), before);
   order.erase(std::unique(alike, order.end(), std::not_fn(before)), order.end());
-  std::vector<Solid> sorted;
-  sorted.reserve(order.size());
-  for (const std::uint32_t i : order) {
-    sorted.push_back(operands[i]);
-  }
-  ExactMesh result = combine(sorted);
+  ExactMesh result = combine(support::selected(operands, order));
   for (Source& source : result.sources) {
     source.operand = order[source.operand];
   }

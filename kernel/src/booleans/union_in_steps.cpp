@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <ranges>
 #include <string>
 #include <thread>
 #include <utility>
@@ -16,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include "arrangement/arrange.h"
+#include "boxes/bounds.h"
 #include "boxes/main_directions.h"
 #include "dupin/kernel/parallel.h"
 #include "mesh/exact_mesh.h"
@@ -29,14 +29,6 @@ using Indices = std::span<std::uint32_t>;
 
 // Of so many solids at a time, in general.
 constexpr std::size_t kAtOnce = 3;
-
-Eigen::AlignedBox3d box_of(const ExactMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.points) {
-    box.extend(point);
-  }
-  return box;
-}
 
 // How so many are divided.
 std::vector<std::array<std::size_t, 2>> divided(std::size_t operands, std::size_t count) {
@@ -54,7 +46,7 @@ std::optional<Eigen::AlignedBox3d> common_centre(std::span<const Solid> solids) 
   Eigen::AlignedBox3d centres;
   double least = HUGE_VAL;
   for (const Solid& solid : solids) {
-    const Eigen::AlignedBox3d box = box_of(solid.exact());
+    const Eigen::AlignedBox3d box = boxes::bounds_of(solid.exact().points);
     if (box.isEmpty()) {
       return std::nullopt;
     }
@@ -69,8 +61,8 @@ std::optional<Eigen::AlignedBox3d> common_centre(std::span<const Solid> solids) 
 
 double extent_along(const Vec3& direction, std::span<const Vec3> points) {
   const auto along = [&direction](const Vec3& point) { return direction.dot(point); };
-  const auto [low, high] = std::ranges::minmax(points | std::views::transform(along));
-  return high - low;
+  const auto [lowest, highest] = std::ranges::minmax(points, {}, along);
+  return along(highest) - along(lowest);
 }
 
 // Solids about axes in a plane, about one point. No more is meant than how long the union takes.
@@ -158,7 +150,7 @@ class Steps {
         begin_(begin),
         told_(begin) {
     for (const Solid& operand : operands) {
-      const Eigen::AlignedBox3d box = box_of(operand.exact());
+      const Eigen::AlignedBox3d box = boxes::bounds_of(operand.exact().points);
       centres_.emplace_back(box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()));
     }
   }
@@ -214,6 +206,7 @@ class Steps {
 
   ExactMesh step(const std::vector<ExactMesh>& parts) {
     std::vector<const ExactMesh*> meshes;
+    meshes.reserve(parts.size());
     for (const ExactMesh& part : parts) {
       meshes.push_back(&part);
     }

@@ -100,7 +100,8 @@ class Complex : public CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Do
 
  private:
   bool is_watched_ = false;
-  mutable std::size_t looked_ = 0, points_ = 0;  // since when there are so many points
+  mutable std::size_t looked_ = 0;  // how often since it was last asked how many points there are
+  mutable std::size_t points_ = 0;  // how many there were then
 };
 
 }  // namespace
@@ -121,11 +122,11 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 Point point_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 Vec3 vector_of(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The mesh, with the number of its region, from 1 on, at each face.
-Surface surface_of(const TriMesh& mesh, const Features& features) {
+/// The mesh, in the unit, with the number of its region, from 1 on, at each face.
+Surface surface_of(const TriMesh& mesh, const Features& features, double unit) {
   Surface surface;
   for (const Vec3& point : mesh.points) {
-    surface.add_vertex(point_of(point));
+    surface.add_vertex(point_of(point / unit));
   }
   auto regions = get(CGAL::face_patch_id_t<int>(), surface);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -141,12 +142,12 @@ Surface surface_of(const TriMesh& mesh, const Features& features) {
 }
 
 /// Triangles without neighbours: those of a region need not be a manifold.
-Surface soup_of(const TriMesh& mesh) {
+Surface soup_of(const TriMesh& mesh, double unit) {
   Surface surface;
   auto regions = get(CGAL::face_patch_id_t<int>(), surface);
   for (const auto& [a, b, c] : mesh.triangles) {
     const auto corner = [&](std::uint32_t v) {
-      return surface.add_vertex(point_of(mesh.points[v]));
+      return surface.add_vertex(point_of(mesh.points[v] / unit));
     };
     const Surface::Vertex_index p = corner(a), q = corner(b), r = corner(c);
     put(regions, surface.add_face(p, q, r), 1);
@@ -170,12 +171,12 @@ struct Part {
   friend reference get(const Part&, key_type line) { return line.*Member; }
 };
 
-std::vector<Polyline> polylines_of(const Features& features) {
+std::vector<Polyline> polylines_of(const Features& features, double unit) {
   std::vector<Polyline> lines;
   for (const Curve& curve : features.curves) {
     Polyline line;
     for (const Vec3& point : curve.points) {
-      line.points.push_back(point_of(point));
+      line.points.push_back(point_of(point / unit));
     }
     for (const std::uint32_t region : curve.regions) {
       line.regions.push_back(static_cast<int>(region) + 1);
@@ -490,8 +491,8 @@ Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinemen
                   const Progress& progress) {
   const double unit = unit_for(mesh);
   CGAL::Random random(0);
-  Domain domain(surface_of(in_unit(mesh, unit), features), &random);
-  const std::vector<Polyline> lines = polylines_of(in_unit(features, unit));
+  Domain domain(surface_of(mesh, features, unit), &random);
+  const std::vector<Polyline> lines = polylines_of(features, unit);
   domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
                                      Part<&Polyline::regions>());
   return unless_failed(unit, [&] {
@@ -503,10 +504,10 @@ Tetrahedra refine_surface(const TriMesh& mesh, const Features& features, const C
                           const Refinement& wanted, const Progress& progress) {
   const double unit = unit_for(mesh);
   CGAL::Random random(0);
-  const Surface surface = soup_of(in_unit(mesh, unit));
+  const Surface surface = soup_of(mesh, unit);
   const std::array<const Surface*, 1> surfaces = {&surface};
   Domain domain(surfaces.begin(), surfaces.end(), &random);
-  const std::vector<Polyline> lines = polylines_of(in_unit(features, unit));
+  const std::vector<Polyline> lines = polylines_of(features, unit);
   domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
                                      Part<&Polyline::regions>());
   return unless_failed(unit, [&]() -> Tetrahedra {

@@ -9,23 +9,16 @@
 
 #include <Eigen/Geometry>
 
+#include "boxes/bounds.h"
 #include "dupin/kernel/rounding.h"
 #include "mesh/edge_table.h"
 
 namespace dupin::meshing {
 namespace {
 
-Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.points) {
-    box.extend(point);
-  }
-  return box;
-}
-
 /// More than the diagonal of the box says nothing else, and generators overflow with it.
 RemeshOptions bounded(RemeshOptions options, const TriMesh& mesh) {
-  const double diagonal = box_of(mesh).diagonal().norm();
+  const double diagonal = boxes::bounds_of(mesh.points).diagonal().norm();
   options.distance = std::min(options.distance, diagonal);
   options.largest_edge = std::min(options.largest_edge, diagonal);
   return options;
@@ -54,7 +47,7 @@ GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
       features_(find_features(mesh_, options_.feature_angle, options_.distance)),
       surface_(mesh_.points, mesh_.triangles, features_.regions),
       region_count_(1 + *std::ranges::max_element(features_.regions)) {
-  const Eigen::AlignedBox3d box = box_of(mesh_);
+  const Eigen::AlignedBox3d box = boxes::bounds_of(mesh_.points);
   diagonal_ = box.diagonal().norm();
   largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : diagonal_ / 10;
   // Covers the rounding of a distance, and of cuts, tenfold.

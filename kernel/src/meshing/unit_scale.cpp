@@ -3,34 +3,14 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Geometry>
+#include "boxes/bounds.h"
 
 namespace dupin::meshing {
 
 double unit_for(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.points) {
-    box.extend(point);
-  }
+  const Eigen::AlignedBox3d box = boxes::bounds_of(mesh.points);
   const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
   return extent > 0 ? std::ldexp(1, std::ilogb(extent)) : 1;
-}
-
-TriMesh in_unit(TriMesh mesh, double unit) {
-  for (Vec3& point : mesh.points) {
-    point /= unit;
-  }
-  return mesh;
-}
-
-Features in_unit(Features features, double unit) {
-  for (Curve& curve : features.curves) {
-    for (Vec3& point : curve.points) {
-      point /= unit;
-    }
-  }
-  features.absorbed /= unit;
-  return features;
 }
 
 CurvePoints in_unit(CurvePoints balls, double unit) {

@@ -3,7 +3,6 @@
 #include "dupin/kernel/mesh.h"
 #include "meshing/curve_points.h"
 #include "meshing/delaunay_refinement.h"
-#include "meshing/features.h"
 
 namespace dupin::meshing {
 
@@ -13,8 +12,6 @@ namespace dupin::meshing {
 [[nodiscard]] double unit_for(const TriMesh& mesh);
 
 /// All lengths, from 1 to `unit`.
-[[nodiscard]] TriMesh in_unit(TriMesh mesh, double unit);
-[[nodiscard]] Features in_unit(Features features, double unit);
 [[nodiscard]] CurvePoints in_unit(CurvePoints balls, double unit);
 [[nodiscard]] Refinement in_unit(Refinement wanted, double unit);
 

@@ -13,14 +13,6 @@ TEST(UnitScale, is_a_power_of_two_about_the_extent) {
 }
 
 TEST(UnitScale, is_exact_and_of_all_lengths) {
-  const TriMesh mesh = in_unit(test::box(Vec3::Zero(), Vec3(1, 3, 5)), 4);
-  EXPECT_EQ(mesh.points.back(), Vec3(0.25, 0.75, 1.25));
-  Features features;
-  features.curves = {{{Vec3(4, 8, 12)}, {}}};
-  features.absorbed = 2;
-  const Features smaller = in_unit(features, 4);
-  EXPECT_EQ(smaller.curves.front().points.front(), Vec3(1, 2, 3));
-  EXPECT_EQ(smaller.absorbed, 0.5);
   const CurvePoints balls = in_unit(CurvePoints{{{Vec3(4, 8, 12), 2, true}}, {{0}}}, 4);
   EXPECT_EQ(balls.points.front(), (CurvePoint{Vec3(1, 2, 3), 0.5, true}));
   Refinement wanted;
