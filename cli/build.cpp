@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
+#include "dupin/blends/assembly.h"
 #include "dupin/blends/drawing.h"
 #include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
@@ -407,7 +408,7 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
       ->type_name("FILE");
   command.add_option("--segments", arguments.segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
-      ->check(CLI::Range(3, 65536));
+      ->check(CLI::Range(kFewestSegments, kMostSegments));
   add_wall_options(command, arguments.walls);
   add_region_option(command, arguments.region, true);
   add_triangles_option(command, arguments.most_triangles);

@@ -52,7 +52,7 @@ std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divide
     const Vec3 place = bounds_of(divided.districts.subspan(i, 1)).center();
     throw Error(Errc::limit_exceeded,
                 "what hangs together at " + decimal(place) + " has about " +
-                    decimal(divided.triangles[i], 2) + " triangles, which need " +
+                    decimal(divided.triangles[i], 2) + " triangles, which need at least " +
                     shown_size(*largest) + "; give --memory more" + divided.remedy,
                 {}, divided.source);
   }

@@ -77,9 +77,11 @@ class Resolver {
           "the tolerance must be a positive number, not " + decimal(tolerance, kMessageDigits), {},
           document_place(assembly_, "/tolerance"));
     }
-    if (assembly_.segments && *assembly_.segments < 3) {
+    const std::uint32_t segments = assembly_.segments.value_or(kFewestSegments);
+    if (segments < kFewestSegments || segments > kMostSegments) {
       throw Error(Errc::invalid_argument,
-                  "a ring needs at least 3 segments, not " + std::to_string(*assembly_.segments),
+                  "a ring needs " + std::to_string(kFewestSegments) + " to " +
+                      std::to_string(kMostSegments) + " segments, not " + std::to_string(segments),
                   {}, document_place(assembly_, "/segments"));
     }
     if (assembly_.parts.empty()) {

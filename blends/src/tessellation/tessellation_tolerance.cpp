@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "dupin/blends/assembly.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -19,9 +20,10 @@ double allowed_error(double tolerance, double displacement) {
 }
 
 std::uint32_t segment_count(double wanted) {
-  constexpr std::uint32_t kFewest = 8, kMost = 1'000'000;
-  if (!(wanted <= kMost)) {
-    throw Error(Errc::limit_exceeded, "the tolerance asks for more than " + std::to_string(kMost) +
+  constexpr std::uint32_t kFewest = 8;
+  if (!(wanted <= kMostSegments)) {
+    throw Error(Errc::limit_exceeded, "the tolerance asks for more than " +
+                                          std::to_string(kMostSegments) +
                                           " segments around a ring; use a larger one");
   }
   return std::max(kFewest, std::uint32_t(std::ceil(wanted)));

@@ -132,7 +132,8 @@ Part part(const json::ExpandedPart& expanded, const std::string& source) {
 std::uint32_t segments(const JsonNode& node) {
   const auto value = json::whole_number(node);
   if (!value) {
-    node.fail("must be a whole number from 3 to 4294967295");
+    node.fail("must be a whole number from " + std::to_string(kFewestSegments) + " to " +
+              std::to_string(kMostSegments));
   }
   return *value;
 }

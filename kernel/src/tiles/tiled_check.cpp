@@ -151,10 +151,10 @@ class TiledCheck {
       }
       constexpr double kHardlyLess = 0.9;
       if (tree_.size() < most || largest > kHardlyLess * before) {
-        throw Error(Errc::limit_exceeded, "the largest of " + std::to_string(tree_.size()) +
-                                              " tiles has " + decimal(largest) +
-                                              " triangles, which need " + decimal(needed / 1e9, 2) +
-                                              " GB; give --memory more");
+        throw Error(Errc::limit_exceeded,
+                    "the largest of " + std::to_string(tree_.size()) + " tiles has " +
+                        decimal(largest) + " triangles, which need " +
+                        decimal_at_most(needed / 1e9) + " GB; give --memory more");
       }
       before = largest;
     }

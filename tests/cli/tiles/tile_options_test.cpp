@@ -48,7 +48,7 @@ TEST(TileOptions, memory_holds_every_tile) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded);
     EXPECT_THAT(error.what(), HasSubstr("(4.5, 0.5, 0.5) has about 2.5e+03 triangles"));
     // What it asks for does.
-    EXPECT_THAT(error.what(), HasSubstr("which need 1 MB;"));
+    EXPECT_THAT(error.what(), HasSubstr("which need at least 1 MB;"));
     EXPECT_NO_THROW((void)ends_of_tiles({.memory = "1MB"}, divided));
     EXPECT_EQ(error.where(), "plant");
   }

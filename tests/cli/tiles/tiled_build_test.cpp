@@ -280,7 +280,7 @@ TEST_F(TiledBuild, names_memory_that_would_do) {
     {"name": "wide", "pipe": {"from": [0, 0, 9000], "to": [100, 0, 9000], "radius": 1000}}]})");
   const ProcessResult refused = dupin({"build", "pipes.json", "-o", "out.stl", "--memory", "1kB"});
   EXPECT_EQ(refused.exit_code, 3);
-  const std::string said = "which need ";
+  const std::string said = "which need at least ";
   const std::size_t at = refused.err.find(said);
   ASSERT_NE(at, std::string::npos) << refused.err;
   std::string memory = refused.err.substr(at + said.size());

@@ -35,19 +35,45 @@ Vec3 turning(const SpinePoint& y, const Vec3& tangent) {
   return (y.second - y.second.dot(tangent) * tangent) / y.first.norm();
 }
 
+// A spine about the origin, where derivatives of short ones do not drown in the rounding of places.
+struct SpineFrom {
+  Vec3 origin;
+
+  Spine operator()(LineSpine line) const { return LineSpine{line.from - origin, line.to - origin}; }
+  Spine operator()(ArcSpine arc) const {
+    arc.center -= origin;
+    arc.start -= origin;
+    return arc;
+  }
+  Spine operator()(HermiteSpine curve) const {
+    curve.from -= origin;
+    curve.to -= origin;
+    return curve;
+  }
+  Spine operator()(BezierSpine curve) const {
+    std::ranges::for_each(curve.points, [&](Vec3& point) { point -= origin; });
+    return curve;
+  }
+};
+
 using Sections = std::function<Section(double)>;
 
+// Of a piece, which must outlive them.
 struct SectionsOf {
+  Vec3 origin;  // where they have theirs
+
   Sections operator()(const RingedSurface& tube) const {
-    return [&tube](double t) {
-      const SpinePoint y = evaluate(tube.spine, t);
+    return [&tube, spine = std::visit(SpineFrom{origin}, tube.spine)](double t) {
+      const SpinePoint y = evaluate(spine, t);
       const Vec3 tangent = y.first.normalized();
       return circle(y.position, evaluate(tube.radius, t).value, y.first, tangent,
                     turning(y, tangent));
     };
   }
-  Sections operator()(const EllipticTube& tube) const {
-    return [&tube, field = frames(tube)](double t) {
+  Sections operator()(const EllipticTube& at_its_place) const {
+    EllipticTube tube = at_its_place;
+    tube.spine = std::visit(SpineFrom{origin}, tube.spine);
+    return [tube, field = frames(tube)](double t) {
       const SpinePoint y = evaluate(tube.spine, t);
       const Vec3 tangent = y.first.normalized();
       return Section{y.position,
@@ -59,19 +85,20 @@ struct SectionsOf {
     };
   }
   Sections operator()(const CyclidePiece& piece) const {
-    return [&piece](double t) {
+    return [&piece, from = origin](double t) {
       const auto disc = moving_disc(piece, numbers::Interval(t));
       if (!disc) {
         throw Error(Errc::irregular_surface, "the piece's discs stop within it");
       }
-      return circle(middle(disc->center), middle(disc->radius), middle(disc->velocity),
+      return circle(middle(disc->center) - from, middle(disc->radius), middle(disc->velocity),
                     middle(disc->normal), middle(disc->turning));
     };
   }
   Sections operator()(const RationalRingedTube& tube) const {
-    return [&tube](double t) {
+    return [&tube, from = origin](double t) {
       const MovingRing ring = ring_at(tube.surface, t);
-      return circle(ring.center, ring.radius, ring.center_rate, ring.normal, ring.normal_rate);
+      return circle(ring.center - from, ring.radius, ring.center_rate, ring.normal,
+                    ring.normal_rate);
     };
   }
 };
@@ -81,11 +108,11 @@ using Integrals = Eigen::Matrix<double, 11, 1>;
 
 // The section's points advance along the normal by an affine function of xi and eta, so that the
 // integrals over it of polynomials are those of monomials over the unit disc: pi, pi / 4 of xi^2.
-Integrals rates(const Section& s, const Vec3& origin) {
+Integrals rates(const Section& s) {
   const double scale = s.first.cross(s.second).norm();
   const double s0 = s.velocity.dot(s.normal) * scale;
   const double s1 = -s.first.dot(s.turning) * scale, s2 = -s.second.dot(s.turning) * scale;
-  const Vec3 c = s.center - origin, lean = s1 * s.first + s2 * s.second;
+  const Vec3 &c = s.center, lean = s1 * s.first + s2 * s.second;
   const Eigen::Matrix3d second =
       kPi * s0 * c * c.transpose() +
       kPi / 4 *
@@ -169,9 +196,8 @@ struct AreaOf {
 
 PartMeasures measures(const Piece& piece) {
   const Vec3 origin = end_ring(piece, End::start).center;
-  const Sections section = std::visit(SectionsOf{}, piece);
-  const auto sums =
-      converged<Integrals>([&](double t) { return rates(section(t), origin); }, change);
+  const Sections section = std::visit(SectionsOf{origin}, piece);
+  const auto sums = converged<Integrals>([&](double t) { return rates(section(t)); }, change);
   return {std::visit(AreaOf{}, piece), sums[10], moments(sums, origin), {}};
 }
 

@@ -37,5 +37,25 @@ TEST(CutBall, and_what_was_cut_off_are_the_ball) {
   EXPECT_LT((sum.spread - whole.spread).norm(), 1e-11);
 }
 
+// A knuckle of which a thick wall leaves little: the turning of its spine is all rounding, which
+// was taken for what 64 panels do not reach.
+TEST(PieceMeasures, of_a_short_wide_piece_far_away_are_those_of_its_cylinder) {
+  constexpr int kDegree = 9;
+  constexpr double kRadius = 1525, kHeight = 0.75;
+  const Vec3 along = Vec3(3, 4, 0) / 5, from(0x1p20 / 3, -0x1p20, 0x1p19);
+  BezierSpine spine;
+  BezierRadius radius;
+  for (int i = 0; i <= kDegree; ++i) {
+    spine.points.emplace_back(from + i * kHeight / kDegree * along);
+    radius.coefficients.push_back(kRadius);
+  }
+  const Ring start{from, -along, kRadius, 0}, end{spine.points.back(), along, kRadius, 0};
+  const Piece piece = RingedSurface{start, end, spine, radius};
+  const PartMeasures found = measures(piece);
+  EXPECT_NEAR(*found.length, kHeight, 1e-9);
+  EXPECT_NEAR(found.solid->volume / (pi * kRadius * kRadius * kHeight), 1, 1e-9);
+  EXPECT_LT((found.solid->centroid - from - kHeight / 2 * along).norm(), 1e-9 * kRadius);
+}
+
 }  // namespace
 }  // namespace dupin::surfaces
