@@ -4,12 +4,15 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 
 #include "dupin/io/atomic_file.h"
+#include "exchange_options.h"
 #include "exit_code.h"
 #include "output.h"
 
@@ -21,6 +24,7 @@ namespace fs = std::filesystem;
 struct NamedFile {
   std::string option;
   fs::path path, typed;
+  bool lists_others = false;  ///< a .pvtu, with files NAME_0.vtu and so on beside it
 };
 
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
@@ -56,14 +60,10 @@ bool writes_new_versions(const CLI::App& command) {
   return std::ranges::find(kCommands, command.get_name()) != kCommands.end();
 }
 
-/// Whatever links lead there; empty for standard output, devices and pipes.
-fs::path file_at(const std::string& path) {
-  std::error_code failure;
-  fs::path place = fs::weakly_canonical(fs::absolute(path, failure), failure);
-  const fs::file_type type = fs::status(place, failure).type();
-  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found ||
-                       type == fs::file_type::directory;
-  return is_file && output_path(path) != "-" ? place : fs::path();
+bool is_pvtu(const CLI::App& command, const fs::path& path) {
+  const CLI::Option* const format = command.get_option_no_throw("--format");
+  const bool is_said = format != nullptr && format->count() > 0;
+  return is_said ? format->results().front() == "pvtu" : lower_extension(path.string()) == ".pvtu";
 }
 
 /// Those that are files, or may become one, of the options that are asked for.
@@ -80,15 +80,44 @@ std::vector<NamedFile> files_of(const CLI::App& command, const IsWanted& is_want
       const std::string typed = name_end == std::string::npos ? value : value.substr(name_end + 1);
       fs::path path = file_at(typed);
       if (!path.empty()) {
-        files.push_back({name_of(*option), std::move(path), typed});
+        const bool lists_others = is_main_output(*option) && is_pvtu(command, typed);
+        files.push_back({name_of(*option), std::move(path), typed, lists_others});
       }
     }
   }
   return files;
 }
 
+bool is_listed_name(const std::string& name, const std::string& stem) {
+  constexpr std::string_view kEnd = ".vtu";
+  if (!name.starts_with(stem + "_") || !name.ends_with(kEnd)) {
+    return false;
+  }
+  const std::size_t begin = stem.size() + 1;
+  return name.find_first_not_of("0123456789", begin) == name.size() - kEnd.size() &&
+         name.size() - kEnd.size() > begin;
+}
+
+/// Whether the path may be, or lead to, one of the files that are listed; how many there will be is
+/// not known yet.
+bool may_list(const NamedFile& file, const fs::path& path) {
+  std::error_code failure;
+  const fs::path folder = fs::absolute(file.typed, failure).parent_path();
+  const std::string stem = file.typed.stem().string();
+  if (is_listed_name(path.filename().string(), stem) &&
+      path.parent_path() == fs::weakly_canonical(folder, failure)) {
+    return true;
+  }
+  return std::ranges::any_of(fs::directory_iterator(folder, failure), [&](const auto& entry) {
+    return is_listed_name(entry.path().filename().string(), stem) &&
+           file_at(entry.path().string()) == path;
+  });
+}
+
 const NamedFile* find(const std::vector<NamedFile>& files, const fs::path& path) {
-  const auto found = std::ranges::find(files, path, &NamedFile::path);
+  const auto found = std::ranges::find_if(files, [&](const NamedFile& file) {
+    return file.path == path || (file.lists_others && may_list(file, path));
+  });
   return found != files.end() ? &*found : nullptr;
 }
 
@@ -99,9 +128,9 @@ const NamedFile* find(const std::vector<NamedFile>& files, const fs::path& path)
 
 void refuse_in_place_of(const std::vector<NamedFile>& inputs,
                         const std::vector<NamedFile>& outputs) {
-  for (const NamedFile& file : outputs) {
-    if (find(inputs, file.path) != nullptr) {
-      refuse_in_place(file);
+  for (const NamedFile& file : inputs) {
+    if (const NamedFile* const output = find(outputs, file.path)) {
+      refuse_in_place(*output);
     }
   }
 }
@@ -147,6 +176,15 @@ void require_not_written(const std::string& path) {
   if (const NamedFile* const output = place.empty() ? nullptr : find(the_outputs, place)) {
     refuse_in_place(*output);
   }
+}
+
+fs::path file_at(const std::string& path) {
+  std::error_code failure;
+  fs::path place = fs::weakly_canonical(fs::absolute(end_of_links(path), failure), failure);
+  const fs::file_type type = fs::status(place, failure).type();
+  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found ||
+                       type == fs::file_type::directory;
+  return is_file && output_path(path) != "-" ? place : fs::path();
 }
 
 bool are_one_file(const std::string& first, const std::string& second) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -22,7 +23,11 @@ void require_writable_outputs();
 /// command takes its place. Throws UsageError.
 void require_not_written(const std::string& path);
 
-/// Whether both paths lead to one file, there or to be. Not for standard input or output.
+/// The file, there or to be, that a path leads to by whatever links; empty for standard input and
+/// output, devices and pipes.
+[[nodiscard]] std::filesystem::path file_at(const std::string& path);
+
+/// Whether both paths lead to one such file.
 [[nodiscard]] bool are_one_file(const std::string& first, const std::string& second);
 
 }  // namespace dupin::cli

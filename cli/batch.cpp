@@ -11,8 +11,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "argument_checks.h"
 #include "child_process.h"
+#include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/report_json.h"
 #include "option_list.h"
 #include "progress_line.h"
 
@@ -45,21 +48,6 @@ std::string trimmed(std::string text) {
     text.pop_back();
   }
   return text;
-}
-
-/// As JSON has it.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string result = "\"";
-  for (const char character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (code < 0x20) {
-      result += std::string("\\u00") + kDigits[code >> 4] + kDigits[code & 15];
-    } else {
-      result += (character == '"' || character == '\\' ? "\\" : "") + std::string(1, character);
-    }
-  }
-  return result + "\"";
 }
 
 std::string_view verdict(const ChildResult& result) {
@@ -129,8 +117,8 @@ class Batch {
     if (common_.json) {
       const bool has_report = what != "failed";
       const std::string text = trimmed(has_report ? result.out : result.err);
-      std::cout << (index == 0 ? "\n" : ",\n") << "{\"file\": " << quoted(item.file)
-                << ", \"output\": " << (has_report ? quoted(item.output) : "null")
+      std::cout << (index == 0 ? "\n" : ",\n") << "{\"file\": " << string_json(item.file)
+                << ", \"output\": " << (has_report ? string_json(item.output) : "null")
                 << ", \"exit\": " << result.exit_code << ", \""
                 << (has_report ? "report" : "failure")
                 << "\": " << (text.starts_with('{') ? text : "null") << "}";
@@ -178,7 +166,10 @@ class Batch {
 std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const std::string& folder,
                                    const std::string& format) {
   const std::string extension = extension_of(format.empty() ? "stl" : format);
-  std::map<std::string, std::string> owners;
+  std::map<std::filesystem::path, std::string> inputs, owners;  // by the files that they are
+  for (const std::string& file : files) {
+    inputs.emplace(file_at(file), file);
+  }
   std::vector<BatchItem> items;
   for (const std::string& file : files) {
     if (file == "-") {
@@ -186,11 +177,20 @@ std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const 
     }
     const std::filesystem::path name = std::filesystem::path(file).stem().string() + extension;
     const std::string output = (std::filesystem::path(folder) / name).string();
-    const auto [owner, is_new] = owners.emplace(output, file);
+    items.push_back({file, output});
+    const std::filesystem::path place = file_at(output);
+    if (place.empty()) {
+      continue;
+    }
+    const auto [owner, is_new] = owners.emplace(place, file);
     if (!is_new) {
       refuse_both(owner->second, file, output);
     }
-    items.push_back({file, output});
+    // Whether it is its own input, its own process looks at.
+    if (const auto other = inputs.find(place); place != file_at(file) && other != inputs.end()) {
+      throw UsageError("what becomes of '" + file + "', '" + output +
+                       "', would take the place of '" + other->second + "'");
+    }
   }
   return items;
 }
@@ -228,7 +228,7 @@ ExitCode run_batch(const CLI::App& command, const std::vector<BatchItem>& items,
                    const std::string& folder, std::size_t jobs, const CommonOptions& common) {
   refuse_files_for_all(command);
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  std::filesystem::create_directories(end_of_links(folder), failure);
   if (failure) {
     throw OutputError(
         Error(Errc::io_failed, "cannot make the folder: " + failure.message(), {}, folder));

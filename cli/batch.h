@@ -18,7 +18,7 @@ struct BatchItem {
 };
 
 /// Names of outputs are those of inputs with the format's extension. Throws UsageError for two that
-/// are the same, and for standard input.
+/// are one file, for one that is another's input, and for standard input.
 [[nodiscard]] std::vector<BatchItem> batch_items(const std::vector<std::string>& files,
                                                  const std::string& folder,
                                                  const std::string& format);

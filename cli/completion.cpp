@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "completion_scripts.h"
+#include "length.h"
 
 namespace dupin::cli {
 
@@ -21,7 +22,8 @@ void add_completion(CLI::App& app, Action& action) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command->callback([&app, &action, shell] {
-    action = [&app, shell](const CommonOptions&) {
+    action = [&app, shell](const CommonOptions& common) {
+      refuse_tolerance("completion", common);
       std::cout << (*shell == "bash"  ? bash_completion(app)
                     : *shell == "zsh" ? zsh_completion(app)
                                       : fish_completion(app));

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <new>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,8 +32,9 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
   app.add_option(
          "--tolerance", common.tolerance,
          "Largest distance between a surface and what stands for it: the mesh\n"
-         "(build, certify), the NURBS surface (nurbs), the mesh with fewer\n"
-         "triangles (simplify), a mesh for solvers (remesh). A length such as 0.05, 1mm or 0.5in")
+         "(build, watch, certify, convert, report, bom --mesh), the NURBS surface (nurbs), lines\n"
+         "of a drawing (draw), the mesh with fewer triangles (simplify), a mesh for solvers\n"
+         "(remesh). A length such as 0.05, 1mm or 0.5in")
       ->type_name("LENGTH");
   app.set_version_flag("--version", std::string("dupin ") + DUPIN_VERSION);
 }
@@ -63,6 +65,10 @@ int fail(bool json, ExitCode code, std::string_view kind, const std::string& mes
   return fail(json, code, kind, Error(Errc::invalid_argument, message));
 }
 
+int output_failure(bool json, const Error& error) {
+  return fail(json, ExitCode::output, name(error.code()), error);
+}
+
 int usage_failure(bool json, const std::string& message) {
   let_first_speak();
   return fail(json, ExitCode::usage, "usage", message + " (see dupin --help)");
@@ -89,7 +95,7 @@ int perform(const Action& action, const CLI::App& command, const CommonOptions& 
   } catch (const UsageError& error) {
     return usage_failure(common.json, error.what());
   } catch (const OutputError& error) {
-    return fail(common.json, ExitCode::output, name(error.code()), error);
+    return output_failure(common.json, error);
   } catch (const Error& error) {
     return fail(common.json, exit_code(error.code()), name(error.code()), error);
   } catch (const std::bad_alloc&) {
@@ -139,7 +145,14 @@ int run(std::span<char*> arguments) {
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& wanted) {
-    return app.exit(wanted);  // prints help or version
+    std::ostringstream help_or_version;
+    const int code = app.exit(wanted, help_or_version);
+    try {
+      write_text("-", help_or_version.str());
+      return code;
+    } catch (const OutputError& error) {
+      return output_failure(false, error);
+    }
   } catch (const CLI::ParseError& error) {
     const bool json = std::any_of(arguments.begin(), arguments.end(), [](const char* argument) {
       return std::string_view(argument) == "--json";

@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "length.h"
 #include "option_list.h"
 
 namespace dupin::cli {
@@ -135,7 +136,8 @@ void add_manual(CLI::App& app, Action& action) {
       "Examples:\n"
       "  dupin manual build | man -l -");
   command->callback([&app, &action, name] {
-    action = [&app, name](const CommonOptions&) {
+    action = [&app, name](const CommonOptions& common) {
+      refuse_tolerance("manual", common);
       if (name->empty()) {
         write_tool(std::cout, app);
         return ExitCode::ok;

@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "length.h"
 
 namespace dupin::cli {
 
@@ -24,7 +25,8 @@ void add_schema(CLI::App& app, Action& action) {
       "  dupin schema > assembly.schema.json\n"
       "  dupin schema certificate");
   command->callback([kind, &action] {
-    action = [kind](const CommonOptions&) {
+    action = [kind](const CommonOptions& common) {
+      refuse_tolerance("schema", common);
       std::cout << (*kind == "assembly" ? assembly_schema() : certificate_schema());
       return ExitCode::ok;
     };

@@ -76,6 +76,14 @@ TEST_F(ArgumentChecks, every_output_has_a_file_of_its_own) {
     words.insert(words.end(), others.begin(), others.end());
     expect_refused(words, "takes a file of its own, not that of --");
   }
+  // Links to what is not there yet are followed as others are.
+  std::filesystem::create_directory(folder_.path() / "in");
+  std::filesystem::create_symlink("new.html", folder_.path() / "in/chain");
+  std::filesystem::create_symlink("chain", folder_.path() / "in/new.stl");
+  for (const char* const option : {"--patches", "--report"}) {
+    expect_refused({"build", "d.json", "-o", "in/new.stl", option, "in/new.html"},
+                   "takes a file of its own, not that of --");
+  }
   const ProcessResult apart =
       dupin({"build", "d.json", "-o", "x.stl", "--patches", "x.json", "--report", "x.html", "-q"});
   EXPECT_EQ(apart.exit_code, 0) << apart.err;
@@ -98,6 +106,16 @@ TEST_F(ArgumentChecks, no_output_takes_the_place_of_another_kind_of_input) {
       expect_refused(words, " would take the place of what is read: ");
     }
   }
+  std::filesystem::create_directory(folder_.path() / "in");
+  folder_.write("in/p_0.vtu", text_);
+  std::filesystem::create_symlink("../d.json", folder_.path() / "in/q_12.vtu");
+  for (const Words& words : {Words{"build", "in/p_0.vtu", "-o", "in/p.pvtu"},
+                             {"build", "d.json", "-o", "in/q.pvtu"},
+                             {"build", "d.json", "-o", "in/q.x", "--format", "pvtu"}}) {
+    expect_refused(words, "--output would take the place of what is read: ");
+  }
+  expect_refused({"build", "d.json", "-o", "in/r.pvtu", "--report", "in/r_3.vtu"},
+                 "takes a file of its own, not that of --");
   expect_refused({"union", "a.off", "b.off", "-o", "x.off", "--patches", "b.off"},
                  "--patches would take the place of what is read: ");
   expect_refused({"boolean", "a + b", "a=a.off", "b=./b.off", "-o", "x.off", "--patches", "b.off"},

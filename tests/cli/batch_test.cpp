@@ -109,5 +109,40 @@ TEST_F(Batch, what_makes_no_sense_is_refused_before_anything_is_built) {
   EXPECT_EQ(dupin({"build", "a.json", "--out-dir", "a.json/out"}).exit_code, 5);
 }
 
+// Processes of their own do not see each other's files.
+TEST_F(Batch, no_document_takes_the_place_of_another_one_by_a_link) {
+  const std::filesystem::path out = folder_.path() / "out";
+  std::filesystem::create_directory(out);
+  std::filesystem::create_symlink("../c.json", out / "a.stl");
+  const std::string document = folder_.read("c.json");
+  const std::vector<std::string> taken{"build", "a.json", "c.json", "--out-dir", "out"};
+  const ProcessResult refused = dupin(taken);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("what becomes of 'a.json', 'out/a.stl', would take the place "
+                                     "of 'c.json'"));
+  EXPECT_EQ(folder_.read("c.json"), document);
+  EXPECT_FALSE(std::filesystem::exists(out / "c.stl"));
+
+  std::filesystem::remove(out / "a.stl");
+  std::filesystem::create_symlink("both.stl", out / "a.stl");
+  std::filesystem::create_symlink("both.stl", out / "c.stl");
+  const ProcessResult shared = dupin(taken);
+  EXPECT_EQ(shared.exit_code, 2);
+  EXPECT_THAT(shared.err, HasSubstr("'a.json' and 'c.json' would both become"));
+  EXPECT_FALSE(std::filesystem::exists(out / "both.stl"));
+}
+
+TEST_F(Batch, makes_the_folder_that_a_link_leads_to) {
+  std::filesystem::create_symlink("elsewhere", folder_.path() / "out");
+  EXPECT_EQ(dupin({"build", "a.json", "--out-dir", "out", "-q"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "elsewhere/a.stl"));
+}
+
+TEST_F(Batch, reports_names_of_any_bytes) {
+  folder_.write("a\xFF\"\n.json", sphere("1"));
+  const nlohmann::json report = json({"build", "a\xFF\"\n.json", "--out-dir", "out"}, 0);
+  EXPECT_EQ(report.at("documents")[0].at("file"), "a\uFFFD\"\n.json");
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -167,7 +167,7 @@ TEST_F(Output, a_full_standard_output_is_told_and_no_success_before) {
   put("a.off", box({0, 0, 0}, {2, 2, 2}));
   for (const std::string command :
        {"convert a.off - --format off", "convert a.off - --format stl --no-verify", "info a.off",
-        "build examples/reducer.json -o - --format stl"}) {
+        "--version", "build --help", "build examples/reducer.json -o - --format stl"}) {
     const ProcessResult result = shell("dupin " + command + " >/dev/full; echo $? >&2");
     EXPECT_EQ(result.err, "dupin: standard output: cannot be written: No space left on device\n5\n")
         << command;

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "dupin/io/scratch_file.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
 
@@ -143,16 +144,6 @@ void sync_directory(const fs::path& file) {
   }
 }
 
-/// Where a file of this name is, or would be: at the end of a chain of links.
-fs::path end_of_links(fs::path path) {
-  constexpr int kMostLinks = 40;  // as Linux has it
-  std::error_code failure;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, failure); ++i) {
-    path = path.parent_path() / fs::read_symlink(path, failure);  // the latter alone if absolute
-  }
-  return path;
-}
-
 struct Target {
   fs::path path;
   bool exists = false, replaceable = true;
@@ -227,9 +218,7 @@ AsideFile::AsideFile(const fs::path& path, std::string_view bytes) {
   const Target target = target_of(path);
   target_ = target.path;
   replaceable_ = target.replaceable;
-  std::error_code ignored;
-  Descriptor file(create_aside(
-      replaceable_ ? target_.parent_path() : fs::temp_directory_path(ignored), aside_));
+  Descriptor file(create_aside(replaceable_ ? target_.parent_path() : temporary_folder(), aside_));
   if (file.number() < 0) {
     fail("create a file beside it", target_, -file.number());
   }
@@ -354,6 +343,15 @@ bool abandon_files() noexcept {
     }
   }
   return true;  // and nobody else is let in
+}
+
+fs::path end_of_links(fs::path path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  std::error_code failure;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, failure); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, failure);  // the latter alone if absolute
+  }
+  return path;
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

@@ -39,13 +39,13 @@ int nameless(const fs::path& folder) {
 
 }  // namespace
 
+fs::path temporary_folder() {
+  const char* const asked_for = std::getenv("TMPDIR");
+  return asked_for != nullptr && *asked_for != '\0' ? asked_for : "/tmp";
+}
+
 ScratchFile::ScratchFile() {
-  std::error_code reason;
-  folder_ = fs::temp_directory_path(reason);
-  if (reason) {
-    const char* const asked_for = std::getenv("TMPDIR");
-    fail("make", asked_for != nullptr ? asked_for : "TMPDIR", reason.value());
-  }
+  folder_ = temporary_folder();
   file_ = std::make_shared<const files::Descriptor>(nameless(folder_));
   if (file_->number() < 0) {
     fail("make", folder_, errno);

@@ -207,6 +207,8 @@ std::string text(const Json& json) {
 
 }  // namespace json
 
+std::string string_json(std::string_view text) { return json::line_text(text); }
+
 std::string_view name(Verification verification) {
   switch (verification) {
     case Verification::none:

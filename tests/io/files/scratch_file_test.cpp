@@ -49,6 +49,13 @@ TEST_F(ScratchFiles, give_back_what_they_were_given_and_have_no_name) {
   EXPECT_THROW(file.read(1'099'999, read), Error) << "more than has been written";
 }
 
+// As scripts unset a variable.
+TEST_F(ScratchFiles, are_in_the_usual_folder_where_the_variable_is_empty) {
+  ::setenv("TMPDIR", "", 1);
+  EXPECT_EQ(temporary_folder(), "/tmp");
+  EXPECT_NO_THROW(ScratchFile());
+}
+
 TEST_F(ScratchFiles, say_which_folder_they_cannot_be_in) {
   ::setenv("TMPDIR", path("missing").c_str(), 1);
   try {

@@ -65,6 +65,9 @@ class AsideFile {
 /// nothing and returns false, so that the process can go on and say so.
 [[nodiscard]] bool abandon_files() noexcept;
 
+/// Where a file of this name is, or would be: at the end of a chain of links.
+[[nodiscard]] std::filesystem::path end_of_links(std::filesystem::path path);
+
 /// Writes aside and commits.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 

@@ -191,5 +191,7 @@ struct PlacedDocumentReport {
 [[nodiscard]] std::string to_json(const PlacedDocumentReport& report);
 /// `kind` is the error's name for programs, usually name(error.code()).
 [[nodiscard]] std::string error_json(const Error& error, std::string_view kind, int exit_code);
+/// In quotation marks, of any bytes: U+FFFD for what is no UTF-8.
+[[nodiscard]] std::string string_json(std::string_view text);
 
 }  // namespace dupin

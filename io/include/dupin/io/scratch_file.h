@@ -13,9 +13,12 @@ namespace files {
 class Descriptor;
 }
 
+/// That of the environment's TMPDIR, if it says one, or else /tmp; there or not.
+[[nodiscard]] std::filesystem::path temporary_folder();
+
 /// A temporary file without a name, so that nothing is left of it however the process ends. It is
-/// where the environment's TMPDIR says, or else in /tmp. All functions throw Error{io_failed} with
-/// the system's reason, naming the folder.
+/// in temporary_folder(). All functions throw Error{io_failed} with the system's reason, naming the
+/// folder.
 class ScratchFile : public Scratch {
  public:
   ScratchFile();
