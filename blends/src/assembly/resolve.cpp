@@ -6,9 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "assembly/document_bounds.h"
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/parts/part_kind.h"
+#include "dupin/blends/tessellation.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
@@ -22,6 +24,8 @@ bool is_one_line(const std::string& text) {
   return text.front() != ' ' && text.back() != ' ' && std::ranges::none_of(text, is_control);
 }
 
+using assembly::bounds_and;
+using assembly::is_within_bounds;
 using assembly::part_kind;
 using assembly::Reference;
 using assembly::References;
@@ -71,11 +75,10 @@ class Resolver {
 
   void check_header() const {
     const double tolerance = assembly_.tolerance;
-    if (!(tolerance > 0 && std::isfinite(tolerance))) {
-      throw Error(
-          Errc::invalid_argument,
-          "the tolerance must be a positive number, not " + decimal(tolerance, kMessageDigits), {},
-          document_place(assembly_, "/tolerance"));
+    if (!is_within_bounds(tolerance)) {
+      throw Error(Errc::invalid_argument,
+                  "the tolerance must be a positive number " + bounds_and(tolerance), {},
+                  document_place(assembly_, "/tolerance"));
     }
     const std::uint32_t segments = assembly_.segments.value_or(kFewestSegments);
     if (segments < kFewestSegments || segments > kMostSegments) {
@@ -115,22 +118,19 @@ class Resolver {
 
   void check_insulation(const std::optional<double>& thickness, const std::string& name,
                         const std::string& place) const {
-    if (thickness && !(*thickness >= 0 && std::isfinite(*thickness))) {
+    if (thickness.value_or(0) != 0 && !is_within_bounds(*thickness)) {
       throw Error(Errc::invalid_argument,
-                  "the insulation must be positive, or 0 for none, not " +
-                      decimal(*thickness, kMessageDigits),
-                  name, place);
+                  "the insulation must be 0 for none, or " + bounds_and(*thickness), name, place);
     }
   }
 
   // A document's wall is positive; a part's may be 0, which leaves it without a bore of its own.
   void check_walls() const {
     check_insulation(assembly_.insulation, {}, document_place(assembly_, "/insulation"));
-    if (assembly_.wall && !(*assembly_.wall > 0 && std::isfinite(*assembly_.wall))) {
-      throw Error(
-          Errc::invalid_argument,
-          "the wall must be a positive number, not " + decimal(*assembly_.wall, kMessageDigits), {},
-          document_place(assembly_, "/wall"));
+    if (assembly_.wall && !is_within_bounds(*assembly_.wall)) {
+      throw Error(Errc::invalid_argument,
+                  "the wall must be a positive number " + bounds_and(*assembly_.wall), {},
+                  document_place(assembly_, "/wall"));
     }
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       const Part& part = assembly_.parts[i];
@@ -140,9 +140,8 @@ class Resolver {
       };
       const assembly::PartKind& its_kind = part_kind(part.shape);
       check_insulation(part.insulation, part.name, document_place(assembly_, i) + "/insulation");
-      if (part.wall && !(*part.wall >= 0 && std::isfinite(*part.wall))) {
-        throw fault("a part's wall must be positive, or 0 for none, not " +
-                    decimal(*part.wall, kMessageDigits));
+      if (part.wall.value_or(0) != 0 && !is_within_bounds(*part.wall)) {
+        throw fault("a part's wall must be 0 for none, or " + bounds_and(*part.wall));
       }
       if ((part.wall || part.solid) && !its_kind.is_part() && !its_kind.is_junction()) {
         throw fault("a " + std::string(its_kind.key) + " has the wall of the parts it is at");

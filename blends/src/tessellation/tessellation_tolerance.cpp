@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "dupin/blends/assembly.h"
+#include "dupin/blends/tessellation.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

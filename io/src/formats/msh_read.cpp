@@ -44,7 +44,7 @@ class MshReader {
 
   VolumeMesh read_volume() && {
     read_sections();
-    if (tetrahedra_.empty()) {
+    if (tetrahedra_.empty() && !mesh_.triangles.empty()) {
       scanner_.fail("tetrahedra");
     }
     return volume_mesh_of(std::move(mesh_), std::move(tetrahedra_));

@@ -91,13 +91,15 @@ void skip_statement(text::TextScanner& scanner) {
   }
 }
 
-/// Text that begins with one of the statements that such files begin with.
+/// Text that begins with one of the statements that such files begin with, or the empty set as we
+/// write it.
 Evidence recognise(std::string_view bytes) {
   text::TextScanner scanner(bytes, {}, '#');
   scanner.skip_space();
   const bool is_obj =
       scanner.take("v") || scanner.take("o") || scanner.take("g") || scanner.take("mtllib");
-  return is_obj ? Evidence::first_word : Evidence::none;
+  const bool is_our_empty_set = bytes.starts_with("# dupin") && scanner.at_end();
+  return is_obj || is_our_empty_set ? Evidence::first_word : Evidence::none;
 }
 
 }  // namespace

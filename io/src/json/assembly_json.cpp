@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "dupin/blends/tessellation.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/kernel/parallel.h"
 #include "json/expansion.h"

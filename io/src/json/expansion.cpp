@@ -69,7 +69,8 @@ Json Values::value(const JsonNode& user, std::string_view name) {
     return variable->second;
   }
   if (const auto known = known_.find(name); known != known_.end()) {
-    return known->second;
+    longest_chain_ = std::max(longest_chain_, known->second.chain);
+    return known->second.value;
   }
   if (!document_.has("values") || !document_.at("values").has(name)) {
     user.fail("there is no value named '" + std::string(name) + "'");
@@ -84,12 +85,16 @@ Json Values::value(const JsonNode& user, std::string_view name) {
     }
     user.fail("values must not need each other in a circle: " + circle);
   }
-  if (pending_.size() > kLongestChain) {
+  // The first bounds the recursion; the second holds in whatever order values are written.
+  const std::size_t of_user = std::exchange(longest_chain_, 0);
+  Json result = pending_.size() > kLongestChain ? Json() : defined(definition);
+  const std::size_t chain = longest_chain_ + 1;
+  if (pending_.size() > kLongestChain || chain > kLongestChain) {
     user.fail("more than " + std::to_string(kLongestChain) + " values need each other in a row");
   }
-  Json result = defined(definition);
   pending_.pop_back();
-  return known_.emplace(name, std::move(result)).first->second;
+  longest_chain_ = std::max(of_user, chain);
+  return known_.emplace(name, Known{std::move(result), chain}).first->second.value;
 }
 
 Json Values::defined(const JsonNode& definition) {
@@ -208,6 +213,9 @@ class Expansion {
       Keys keys{"for", "comment", "parts"};
       keys.insert(keys.end(), kOfRuns.begin(), kOfRuns.end());
       allow_only(node, keys);
+      if (node.has("comment")) {
+        (void)node.at("comment").text();
+      }
       const Json outside = usual_;
       for (const std::string_view key : kOfRuns) {
         if (node.has(key)) {

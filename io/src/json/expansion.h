@@ -34,9 +34,14 @@ class Values {
 
   JsonNode document_;
   Unit unit_;
-  std::map<std::string, Json, std::less<>> known_;
+  struct Known {
+    Json value;
+    std::size_t chain = 1;  ///< how many values need each other in a row, this one last
+  };
+  std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, Json, std::less<>> variables_;
   std::vector<std::string> pending_;  ///< that are being evaluated
+  std::size_t longest_chain_ = 0;     ///< of those that the last of these has needed so far
   std::size_t work_ = 0;              ///< values and bytes of texts that were made
 };
 

@@ -48,6 +48,14 @@ TEST_F(MeshFile, limits_are_told_with_the_file) {
   }
 }
 
+TEST_F(MeshFile, the_empty_set_is_known_by_its_content) {
+  for (const MeshFormat& format : mesh_formats()) {
+    const std::string bytes = mesh_bytes({}, format);
+    EXPECT_NE(format_of_content(bytes, "x"), nullptr) << format.key;
+    EXPECT_TRUE(read_mesh(bytes, "x").triangles.empty()) << format.key;
+  }
+}
+
 TEST_F(MeshFile, an_explicit_format_overrules_the_content) {
   const std::string text = mesh_bytes(test::tetrahedron(), kStlAscii);
   EXPECT_THROW((void)kStlBinary.read(text, "x"), Error);

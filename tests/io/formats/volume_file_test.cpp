@@ -107,6 +107,12 @@ TEST(VolumeFile, of_gmsh_without_tetrahedra_is_refused) {
   }
 }
 
+TEST(VolumeFile, of_the_empty_set_is_read_back) {
+  for (const VolumeFormat& format : volume_formats()) {
+    EXPECT_TRUE(verified_volume_bytes({}, format, {}, "x").size() > 0) << format.key;
+  }
+}
+
 TEST(VolumeFile, formats_are_found_by_key_and_by_extension) {
   EXPECT_EQ(find_volume_format("msh")->name, kMshVolume.name);
   EXPECT_EQ(find_volume_format(".vtu")->name, kVtu.name);

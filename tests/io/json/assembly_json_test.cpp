@@ -76,6 +76,8 @@ const std::vector<Malformed>& unreadable() {
        "must be a whole number from 3 to 1000000"},
       {R"({"units": "mm", "tolerance": 1, "segments": 1e99})", "d.json#/segments",
        "must be a whole number from 3 to 1000000"},
+      {R"({"units": "mm", "tolerance": 1, "parts": [{"comment": 1, "parts": []}]})",
+       "d.json#/parts/0/comment", "must be a string, not number"},
       {R"({"units": "mm", "tolerance": 1, "wall": "thin"})", "d.json#/wall",
        "must be a number, not string"},
       {R"({"units": "mm", "tolerance": 1, "parts": [{"name": "a", "wall": []}]})",
@@ -116,7 +118,9 @@ const std::vector<Malformed>& senseless() {
   const std::string law = R"(, "radius_law": "R1", "k": 8, "l": 8}})";
   static const std::vector<Malformed> rows = {
       {R"({"units": "mm", "tolerance": 0, "parts": []})", "d.json#/tolerance",
-       "the tolerance must be a positive number, not 0", kBad},
+       "the tolerance must be a positive number between 1e-12 and 1e12, not 0", kBad},
+      {R"({"units": "mm", "tolerance": 1000000100000, "parts": []})", "d.json#/tolerance",
+       "the tolerance must be a positive number between 1e-12 and 1e12, not 1.00001e+12", kBad},
       {R"({"units": "mm", "tolerance": 1, "segments": 2, "parts": []})", "d.json#/segments",
        "a ring needs 3 to 1000000 segments, not 2", kBad},
       {R"({"units": "mm", "tolerance": 1, "segments": 1000001, "parts": []})", "d.json#/segments",

@@ -44,9 +44,6 @@ struct Part {
   std::optional<double> insulation = {};   ///< thickness on the outside; none: the assembly's
 };
 
-/// Around a ring.
-inline constexpr std::uint32_t kFewestSegments = 3, kMostSegments = 1'000'000;
-
 /// A document: what the user says, before anything is computed.
 struct Assembly {
   std::string source;  ///< the file's name, for messages; may be empty

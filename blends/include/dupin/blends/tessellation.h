@@ -12,6 +12,9 @@ namespace dupin {
 /// gigabytes.
 constexpr std::size_t kUsualTriangles = 4'000'000;
 
+/// Around a ring.
+constexpr std::uint32_t kFewestSegments = 3, kMostSegments = 1'000'000;
+
 struct TessellationOptions {
   /// Largest distance between the smooth surface and the mesh, both ways, in model units.
   double tolerance = 0.05;

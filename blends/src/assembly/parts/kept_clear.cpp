@@ -67,10 +67,9 @@ struct ObstacleReader {
 
 std::vector<NamedObstacle> obstacles_of(const PartContext& context, const Avoidance& avoid,
                                         const std::array<Vec3, 2>& ends) {
-  if (!(avoid.clearance >= 0 && avoid.clearance <= kLargest)) {
+  if (avoid.clearance != 0 && !is_within_bounds(avoid.clearance)) {
     fail(context, "clearance",
-         "the clearance must be a number that is not negative, not " +
-             decimal(avoid.clearance, kMessageDigits));
+         "the clearance must be 0 or a number " + bounds_and(avoid.clearance));
   }
   std::vector<NamedObstacle> result;
   for (std::size_t i = 0; i < avoid.obstacles.size(); ++i) {

@@ -10,9 +10,8 @@ void fail(const PartContext& context, std::string_view key, const std::string& m
 }
 
 void check_positive(const PartContext& context, double value, std::string_view key) {
-  if (!(value >= kSmallest && value <= kLargest)) {
-    fail(context, key,
-         "must be a positive number between 1e-12 and 1e12, not " + decimal(value, kMessageDigits));
+  if (!is_within_bounds(value)) {
+    fail(context, key, "must be a positive number " + bounds_and(value));
   }
 }
 

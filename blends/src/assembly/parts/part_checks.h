@@ -4,13 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "assembly/document_bounds.h"
 #include "assembly/part_context.h"
 
 namespace dupin::assembly {
-
-/// Numbers of a document stay within these bounds, so that the sixth powers in the regularity
-/// proofs neither overflow nor vanish.
-inline constexpr double kLargest = 1e12, kSmallest = 1e-12;
 
 /// A vector whose part across another one is, relatively, no larger than this has none but what
 /// rounding made of it: a few units of 2^-53, and what the coordinates' own last digits leave.

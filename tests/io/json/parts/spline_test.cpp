@@ -66,7 +66,7 @@ TEST(SplineKey, says_what_is_wrong_with_what_it_avoids) {
       {avoiding(R"([{"ball": {"center": [5, 5, 5], "radius": -1}}])"), at + "/avoid/0",
        "'c': must be a positive number between 1e-12 and 1e12, not -1", kBad},
       {avoiding("[]", "-1"), at + "/clearance",
-       "'c': the clearance must be a number that is not negative, not -1", kBad},
+       "'c': the clearance must be 0 or a number between 1e-12 and 1e12, not -1", kBad},
       {avoiding(R"([{"part": "nobody"}])"), at + "/avoid", "'c': there is no part named 'nobody'",
        kBad},
       {avoiding(R"([{"part": "a"}])"), at + "/avoid", "'c': 'a' is where it begins or ends", kBad},
