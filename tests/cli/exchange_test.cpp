@@ -58,6 +58,35 @@ TEST_F(Exchange, of_every_kind_of_part_is_valid) {
   }
 }
 
+// Of which every region is written.
+TEST_F(Exchange, of_insulation_is_what_lies_around_the_pipes) {
+  folder_.write("corner.json", R"({"units": "mm", "tolerance": 0.05, "insulation": 4, "parts": [
+    {"name": "a", "pipe": {"from": [0, 0, 0], "to": [40, 0, 0], "radius": 5}},
+    {"name": "b", "elbow": {"from": "a.end", "bend_radius": 20, "angle": 90, "toward": [0, 1, 0]}},
+    {"name": "c", "pipe": {"from": [20, 0, 0], "to": [20, 0, 40], "radius": 3}}]})");
+  const auto report = json({"build", "corner.json", "-o", "i.step", "--region", "insulation"}, 0);
+  const auto& output = report.at("output");
+  ASSERT_EQ(output.at("solids").size(), 1U);
+  EXPECT_LE(std::abs(double(output.at("volume")) - double(output.at("expected_volume"))),
+            double(output.at("volume_bound")));
+  EXPECT_THAT(folder_.read("i.step"), HasSubstr("'b.insulation'"));
+  for (const std::string name : {"tee", "header", "cope"}) {
+    (void)json({"build", example(name + ".json"), "--insulation", "0.2", "--region", "insulation",
+                "-o", name + ".step"},
+               0);
+  }
+}
+
+TEST_F(Exchange, the_same_names_are_in_the_same_order_each_time) {
+  (void)json({"nurbs", example("junction.json"), "-o", "a.iges"}, 0);
+  const std::string first = folder_.read("a.iges");
+  EXPECT_THAT(first, HasSubstr("406,1,5Hriser;"));
+  for (int i = 0; i < 3; ++i) {  // the library would write them by address
+    (void)json({"nurbs", example("junction.json"), "-o", "a.iges"}, 0);
+    EXPECT_EQ(folder_.read("a.iges"), first);
+  }
+}
+
 TEST_F(Exchange, by_parts_has_their_names) {
   const auto report =
       json({"build", example("reducer.json"), "-o", "a.stp", "--solids", "parts"}, 0);

@@ -15,6 +15,7 @@
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
+#include "canal/fillet_wall.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/junction.h"
@@ -28,7 +29,38 @@ namespace {
 
 constexpr double kReach = 1.0 / 8;  // beyond an end, of the wall
 
+using SurfacePair = std::array<const PartSurface*, 2>;
+
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
+
+// Or, where walls are negative, what is thicker outside.
+double thicker_of(const std::array<double, 2>& walls) {
+  return std::abs(walls[0]) > std::abs(walls[1]) ? walls[0] : walls[1];
+}
+
+// Where walls differ, what is left between both fillets, of the thinner wall, in what is said to
+// do.
+constexpr double kWallOfFillet = 1.0 / 4;
+
+// Why the bores of pipes with these walls have no fillet within the outer one, which there is, with
+// a ball that is larger by the thicker wall; none if they have, and so much of the thinner one is
+// left between both.
+std::optional<std::string> bore_fault(const SurfacePair& around, const SurfacePair& bores,
+                                      const std::array<std::string, 2>& names, double radius,
+                                      const std::array<double, 2>& walls, double left) {
+  const double thicker = thicker_of(walls);
+  if (auto fault = fillet_fault(bores, names, radius + thicker)) {
+    return fault;
+  }
+  const bool are_concentric = walls[0] == walls[1];
+  if (thicker <= 0 || are_concentric ||
+      !canal::breaks_through(fillet_between(bores, names, radius + thicker).loops,
+                             fillet_between(around, names, radius).loops,
+                             left * std::min(walls[0], walls[1]))) {
+    return std::nullopt;
+  }
+  return "the fillet breaks through the outer one, as the walls differ";
+}
 
 // A bore with this ring at its end: where it is the ring of its own, bitwise, and where it is a
 // cyclide's neighbour.
@@ -225,61 +257,109 @@ class Borer {
       return;
     }
     const double radius = fillet.shape.radius, thicker = thicker_wall(fillet);
-    if (const auto fault = fillet_fault(pipes, names, radius + thicker)) {
+    if (const auto fault = bore_fault(around(fillet), pipes, names, radius, walls_at(fillet), 0)) {
       refuse((thicker > 0 ? "inside, where the ball has a radius of "
                           : "outside, where the ball has a radius of ") +
              decimal(radius + thicker, kMessageDigits) +
              (thicker > 0 ? ", larger by the wall, " : ", smaller by what is about the pipe, ") +
-             *fault + what_would_do(fillet, pipes, names, thicker));
+             *fault + what_would_do(fillet, pipes, names));
     }
     fillet.shape = fillet_between(pipes, names, radius + thicker);
   }
 
-  // The largest ball for these walls, and the thickest walls for this ball.
-  [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet,
-                                          const std::array<const PartSurface*, 2>& pipes,
-                                          const std::array<std::string, 2>& names,
-                                          double thicker) const {
-    if (thicker <= 0) {
+  // The largest ball for these walls, the thickest walls for this ball, and the thinnest wall
+  // beside the thicker one.
+  [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet, const SurfacePair& pipes,
+                                          const std::array<std::string, 2>& names) const {
+    const std::array<double, 2> walls = walls_at(fillet);
+    if (thicker_wall(fillet) <= 0) {
       return {};
     }
     const double radius = fillet.shape.radius;
-    const ResolvedPart &one = outer_.parts[fillet.between[0]],
-                       &other = outer_.parts[fillet.between[1]];
-    const std::array<const PartSurface*, 2> around{&one.shape, &other.shape};
-    const auto smaller = largest_radius_below(radius, [&](double tried) {
-      return !fillet_fault(pipes, names, tried + thicker) && !fillet_fault(around, names, tried);
-    });
-    const std::array<double, 2> walls{walls_[one.index], walls_[other.index]};
-    const std::array<double, 2> outward{outward_distance(assembly_, assembly_.parts[one.index]),
-                                        outward_distance(assembly_, assembly_.parts[other.index])};
-    const auto fits_with = [&](double share) {  // of both walls, which are outside, too
-      const double less = 1 - share;
-      const auto outer = narrowed(around, {outward[0] * less, outward[1] * less});
-      const std::array<const PartSurface*, 2> both{&outer[0], &outer[1]};
-      const auto bores = narrowed(both, {walls[0] * share, walls[1] * share});
-      return !fillet_fault(both, names, radius) &&
-             !fillet_fault({&bores[0], &bores[1]}, names, radius + thicker * share);
-    };
+    const SurfacePair outer = around(fillet);
+    std::vector<std::string> remedies;
+    if (const auto smaller = largest_radius_below(radius, [&](double tried) {
+          return !fillet_fault(outer, names, tried) &&
+                 !bore_fault(outer, pipes, names, tried, walls, kWallOfFillet);
+        })) {
+      remedies.push_back("a fillet of radius " + decimal(*smaller));
+    }
     const bool are_alike = walls[0] == walls[1];
-    const double whole = are_alike ? thicker : 1;
-    const auto thinner =
-        largest_radius_below(whole, [&](double tried) { return fits_with(tried / whole); });
-    if (!smaller && !thinner) {
+    const double whole = are_alike ? walls[0] : 1;
+    if (const auto thinner = largest_radius_below(
+            whole, [&](double tried) { return fits_thinner(fillet, names, tried / whole); })) {
+      remedies.push_back(are_alike ? "a wall of " + decimal(*thinner)
+                                   : "walls " + decimal(*thinner) + " times as thick");
+    }
+    if (const auto thicker = are_alike ? std::nullopt : fitting_thinner_wall(fillet, names)) {
+      remedies.push_back(*thicker);
+    }
+    if (remedies.empty()) {
       return "; neither a smaller fillet nor a thinner wall would do";
     }
-    return (smaller ? "; a fillet of radius " + decimal(*smaller) : std::string("; ")) +
-           (smaller && thinner ? ", or " : "") +
-           (!thinner    ? std::string()
-            : are_alike ? "a wall of " + decimal(*thinner)
-                        : "walls " + decimal(*thinner) + " times as thick") +
-           " would do";
+    std::string text = "; ";
+    for (const std::string& remedy : remedies) {
+      text += (text.size() > 2 ? ", or " : "") + remedy;
+    }
+    return text + " would do";
+  }
+
+  // With such a share of both walls, which are outside, too.
+  [[nodiscard]] bool fits_thinner(const ResolvedFillet& fillet,
+                                  const std::array<std::string, 2>& names, double share) const {
+    const std::array<double, 2> walls = walls_at(fillet), outward = outward_at(fillet);
+    const double less = 1 - share;
+    return fit(narrowed(around(fillet), {outward[0] * less, outward[1] * less}), names,
+               fillet.shape.radius, {walls[0] * share, walls[1] * share});
+  }
+
+  // The least wall of the part with the thinner one, where radii are those of outer surfaces.
+  [[nodiscard]] std::optional<std::string> fitting_thinner_wall(
+      const ResolvedFillet& fillet, const std::array<std::string, 2>& names) const {
+    const std::array<double, 2> walls = walls_at(fillet);
+    const std::size_t thin = walls[0] < walls[1] ? 0 : 1;
+    const double most = walls.at(1 - thin), apart = most - walls.at(thin);
+    if (outward_at(fillet) != std::array<double, 2>{}) {
+      return std::nullopt;
+    }
+    const SurfacePair outer = around(fillet);
+    const auto largest = largest_radius_below(apart, [&](double tried) {
+      std::array<double, 2> changed = walls;
+      changed.at(thin) = most - tried;
+      return fit({*outer[0], *outer[1]}, names, fillet.shape.radius, changed);
+    });
+    const std::string& name = outer_.parts[fillet.between.at(thin)].name;
+    return largest ? std::optional("a wall of " + decimal_at_most(most - *largest) + " of '" +
+                                   name + "'")
+                   : std::nullopt;
+  }
+
+  static bool fit(const std::array<PartSurface, 2>& outer, const std::array<std::string, 2>& names,
+                  double radius, const std::array<double, 2>& walls) {
+    const SurfacePair both{&outer[0], &outer[1]};
+    const auto bores = narrowed(both, walls);
+    return !fillet_fault(both, names, radius) &&
+           !bore_fault(both, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
+  }
+
+  [[nodiscard]] SurfacePair around(const ResolvedFillet& fillet) const {
+    return {&outer_.parts[fillet.between[0]].shape, &outer_.parts[fillet.between[1]].shape};
+  }
+
+  [[nodiscard]] std::array<double, 2> walls_at(const ResolvedFillet& fillet) const {
+    return {walls_[outer_.parts[fillet.between[0]].index],
+            walls_[outer_.parts[fillet.between[1]].index]};
+  }
+
+  [[nodiscard]] std::array<double, 2> outward_at(const ResolvedFillet& fillet) const {
+    const auto of = [&](std::uint32_t pipe) {
+      return outward_distance(assembly_, assembly_.parts[outer_.parts[pipe].index]);
+    };
+    return {of(fillet.between[0]), of(fillet.between[1])};
   }
 
   [[nodiscard]] double thicker_wall(const ResolvedFillet& fillet) const {
-    const double first = walls_[bore_.resolved.parts[fillet.between[0]].index],
-                 second = walls_[bore_.resolved.parts[fillet.between[1]].index];
-    return std::abs(first) > std::abs(second) ? first : second;
+    return thicker_of(walls_at(fillet));
   }
 
   const Assembly& assembly_;
@@ -362,7 +442,7 @@ bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2
   } catch (const Error&) {
     return true;  // whatever the fillet
   }
-  return !fillet_fault({&bores[0], &bores[1]}, names, radius + std::max(walls[0], walls[1]));
+  return !bore_fault(pipes, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
 }
 
 bool ends_cone_of_cyclide(const ResolvedPart& part, End end) {

@@ -8,6 +8,14 @@
 namespace dupin {
 namespace assembly {
 
+namespace {
+
+/// How far pipes reach out of insulation: what lies before an open end must not be cut by more than
+/// surfaces may be off.
+constexpr double kReach = 1.0 / 16;
+
+}  // namespace
+
 std::set<std::string> names_seen(const Solid& solid) {
   std::set<std::string> result;
   for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
@@ -19,6 +27,12 @@ std::set<std::string> names_seen(const Solid& solid) {
 SmoothRegion smooth_region_seen(const Assembly& assembly, const Built& built,
                                 const std::set<std::string>& names) {
   SmoothRegion result{built.region, resolve(assembly), {}, {}};
+  if (built.region == Region::insulation) {
+    const ResolvedAssembly pipes = filled(std::move(result.whole));
+    result.whole = insulated(assembly, pipes, insulation_of(assembly)).resolved;
+    result.inside = reaching_out(pipes, assembly, kReach * mesh_error(built));
+    return result;
+  }
   if (!built.volumes) {
     return result;
   }
@@ -30,11 +44,19 @@ SmoothRegion smooth_region_seen(const Assembly& assembly, const Built& built,
   assembly::SelectedParts bore = assembly::bore_of(assembly, result.whole, walls.value());
   lengthen_out_of(bore, assembly, result.whole, *walls, names);
   result.kept = assembly::kept_out_of_solids(bore, assembly, result.whole, *walls);
-  result.bore = std::move(bore.resolved);
+  result.inside = std::move(bore.resolved);
   return result;
 }
 
 }  // namespace assembly
+
+double mesh_error(const Built& built) {
+  double error = 0;
+  for (const PartReport& part : built.parts) {
+    error = std::max(error, part.error_bound);
+  }
+  return error;
+}
 
 SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
   return assembly::smooth_region_seen(assembly, built, assembly::names_seen(built.solid));

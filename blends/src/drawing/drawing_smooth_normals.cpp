@@ -15,17 +15,9 @@ constexpr double kMostErrors = 4;
 shading::PatchTable patches_of(const Assembly& assembly, const Built& built,
                                const std::set<std::string>& names) {
   shading::PatchTable result;
-  if (built.region == Region::insulation) {
-    const ResolvedAssembly whole = assembly::filled(resolve(assembly));
-    drawing::add_patches(whole, assembly.patches, result);
-    drawing::add_patches(
-        assembly::insulated(assembly, whole, assembly::insulation_of(assembly)).resolved,
-        assembly.patches, result);
-    return result;
-  }
   const SmoothRegion region = assembly::smooth_region_seen(assembly, built, names);
   drawing::add_patches(region.whole, assembly.patches, result);
-  drawing::add_patches(region.bore, assembly.patches, result);
+  drawing::add_patches(region.inside, assembly.patches, result);
   return result;
 }
 
@@ -33,10 +25,7 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built,
 
 std::function<CornerNormals(const TriMesh&, double)> smooth_normals(
     const Assembly& assembly, const Built& built, const std::set<std::string>& names) {
-  double error = 0;
-  for (const PartReport& part : built.parts) {
-    error = std::max(error, part.error_bound);
-  }
+  const double error = mesh_error(built);
   // Of bores and insulation, no part's report tells.
   const double largest = kMostErrors * std::max(error, assembly.tolerance);
   const auto table =

@@ -61,15 +61,15 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
   model.is_united = options.solids == ExchangeSolids::united;
   model.whole = bodies(region.whole);
   if (region.region != Region::outer) {
-    model.operation = region.region == Region::metal ? Operation::subtract : Operation::intersect;
-    model.tools = bodies(region.bore);
+    model.operation = region.region == Region::fluid ? Operation::intersect : Operation::subtract;
+    model.tools = bodies(region.inside);
     model.kept = bodies(region.kept);
   }
   model.labels = labels.coloured(options.colours);
   if (!model.is_united && !can_be_alone(model)) {
     throw Error(Errc::boolean_failed,
-                "solids of runs or parts alone are written of assemblies without walls and "
-                "fillets; --solids united may do, and every mesh format has the union");
+                "solids of runs or parts alone are written of the outer region of assemblies "
+                "without fillets; --solids united may do, and every mesh format has the union");
   }
   return made;
 }
@@ -84,14 +84,6 @@ Error refusal(const Assembly& assembly, const Written& written, const Model& mod
   return Error(Errc::boolean_failed,
                written.fault + std::string(kNothingWritten) + std::string(advice(model)),
                written.at, place);
-}
-
-double mesh_error(const Built& built) {
-  double error = 0;
-  for (const PartReport& part : built.parts) {
-    error = std::max(error, part.error_bound);
-  }
-  return error;
 }
 
 // The mesh and the file both keep to the smooth surface, so that what lies between them is no

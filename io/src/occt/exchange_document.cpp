@@ -12,8 +12,10 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESBasic_Name.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -43,6 +45,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <TransferBRep_ShapeMapper.hxx>
 #include <Transfer_FinderProcess.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -192,13 +196,39 @@ std::string transferred(const Document& document, const std::string& name,
   return text::with_step_strings(out.str());
 }
 
+// A name property, and as much of it as fits into the directory. The library's own writer puts
+// names in the order of addresses.
+void name_entities(IGESCAFControl_Writer& writer, const Document& document) {
+  constexpr std::size_t kInDirectory = 8;
+  TDF_LabelSequence labels;
+  document.shapes()->GetFreeShapes(labels);
+  for (const TDF_Label& label : labels) {
+    const auto mapper =
+        TransferBRep::ShapeMapper(writer.TransferProcess(), XCAFDoc_ShapeTool::GetShape(label));
+    Handle(IGESData_IGESEntity) entity;
+    if (!writer.TransferProcess()->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity),
+                                                      entity)) {
+      continue;
+    }
+    const std::string name = name_of(label);
+    const Handle(IGESBasic_Name) property = new IGESBasic_Name;
+    property->Init(1, new TCollection_HAsciiString(name.c_str()));
+    entity->AddProperty(property);
+    writer.Model()->AddEntity(property);
+    std::string label_text = name.substr(0, kInDirectory);
+    label_text.insert(0, kInDirectory - label_text.size(), ' ');
+    entity->SetLabel(new TCollection_HAsciiString(label_text.c_str()));
+  }
+}
+
 std::string iges_text(const Document& document, const std::string& name) {
   IGESCAFControl_Writer writer;
   Interface_Static::SetCVal("write.iges.unit", "MM");
-  writer.SetNameMode(Standard_True);
+  writer.SetNameMode(Standard_False);
   if (!writer.Transfer(document.get())) {
     throw Refusal("OpenCASCADE does not make IGES of it", name);
   }
+  name_entities(writer, document);
   const auto text = [](const char* value) { return new TCollection_HAsciiString(value); };
   IGESData_GlobalSection header = writer.Model()->GlobalSection();
   header.SetSendName(text("dupin"));

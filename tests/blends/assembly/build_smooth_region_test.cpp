@@ -17,7 +17,7 @@ TEST(SmoothRegion, of_what_has_no_walls_is_the_whole) {
   const SmoothRegion region = smooth_region(assembly, build(assembly));
   EXPECT_EQ(region.region, Region::outer);
   EXPECT_EQ(region.whole.parts.size(), 1U);
-  EXPECT_TRUE(region.bore.parts.empty());
+  EXPECT_TRUE(region.inside.parts.empty());
 }
 
 TEST(SmoothRegion, of_a_wall_has_a_bore_that_reaches_out_of_both_ends) {
@@ -27,10 +27,27 @@ TEST(SmoothRegion, of_a_wall_has_a_bore_that_reaches_out_of_both_ends) {
     options.region = asked;
     const SmoothRegion region = smooth_region(assembly, build(assembly, options));
     EXPECT_EQ(region.region, asked);
-    ASSERT_EQ(region.bore.parts.size(), 3U);  // and what goes on beyond both ends
-    EXPECT_EQ(port_ring(region.bore.parts[0].shape, End::start)->radius, 1.5);
+    ASSERT_EQ(region.inside.parts.size(), 3U);  // and what goes on beyond both ends
+    EXPECT_EQ(port_ring(region.inside.parts[0].shape, End::start)->radius, 1.5);
     EXPECT_EQ(region.whole.parts.size(), 1U);
   }
+}
+
+TEST(SmoothRegion, of_insulation_has_pipes_inside_that_hardly_reach_out) {
+  Assembly assembly = pipe(0.5);
+  assembly.insulation = 3;
+  BuildOptions options;
+  options.region = Region::insulation;
+  const Built built = build(assembly, options);
+  const SmoothRegion region = smooth_region(assembly, built);
+  ASSERT_EQ(region.whole.parts.size(), 1U);
+  EXPECT_EQ(port_ring(region.whole.parts[0].shape, End::start)->radius, 5);
+  ASSERT_EQ(region.inside.parts.size(), 3U);
+  EXPECT_EQ(port_ring(region.inside.parts[0].shape, End::start)->radius, 2);
+  const Ring* const out = port_ring(region.inside.parts[1].shape, End::end);
+  const double reach = std::max(-out->center.z(), out->center.z() - 10);
+  EXPECT_GT(reach, 0);
+  EXPECT_LE(reach, mesh_error(built) / 10);
 }
 
 }  // namespace

@@ -156,12 +156,14 @@ class DistrictBuild {
   std::unique_ptr<const Plan> plan_;
 };
 
-/// What a built solid is a mesh of, in smooth surfaces: the whole; of the metal, the whole less the
-/// bore; of the fluid, what the whole and the bore have in common. `kept` is taken away from the
-/// bore before. Bores reach out of open ends, where they cut clean rims.
+/// The largest error bound of the parts' meshes.
+[[nodiscard]] double mesh_error(const Built& built);
+
+/// In smooth surfaces: the whole; of metal and insulation, less the inside; of the fluid, what both
+/// share. `kept` is taken from the inside before, which reaches out of open ends for clean rims.
 struct SmoothRegion {
   Region region = Region::outer;
-  ResolvedAssembly whole, bore, kept;
+  ResolvedAssembly whole, inside, kept;
 };
 
 /// That of `built`, which `build` made of the assembly.

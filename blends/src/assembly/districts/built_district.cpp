@@ -372,13 +372,24 @@ class Builder {
 
   [[nodiscard]] std::string wall_advice(std::string_view part, std::string_view bore) const {
     const std::string_view bored = bore.substr(0, bore.rfind(assembly::kBoreSuffix));
-    if (part == bored || are_neighbours(part, bored)) {
+    if (part == bored || are_neighbours(part, bored) || are_of_a_fillet(part, bored)) {
       return "meshes are too coarse there for the wall; choose a smaller tolerance, or a thicker "
              "wall";
     }
     return "there is no wall where an open end of '" + std::string(bored) +
            "' is cut; that end must be elsewhere, or '" + std::string(bored) +
            "' without a bore (\"wall\": 0)";
+  }
+
+  // Whether one of them is the fillet of the other.
+  [[nodiscard]] bool are_of_a_fillet(std::string_view a, std::string_view b) const {
+    return std::ranges::any_of(resolved_.fillets, [&](const ResolvedFillet& fillet) {
+      const auto is_at = [&](std::string_view name) {
+        return std::ranges::any_of(
+            fillet.between, [&](std::uint32_t pipe) { return resolved_.parts[pipe].name == name; });
+      };
+      return (fillet.name == a && is_at(b)) || (fillet.name == b && is_at(a));
+    });
   }
 
   [[nodiscard]] bool are_neighbours(std::string_view a, std::string_view b) const {
