@@ -188,8 +188,8 @@ std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const 
     }
     // Whether it is its own input, its own process looks at.
     if (const auto other = inputs.find(place); place != file_at(file) && other != inputs.end()) {
-      throw UsageError("what becomes of '" + file + "', '" + output +
-                       "', would take the place of '" + other->second + "'");
+      throw UsageError("'" + output + "' of '" + file + "' would take the place of '" +
+                       other->second + "'");
     }
   }
   return items;

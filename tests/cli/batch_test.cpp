@@ -118,8 +118,7 @@ TEST_F(Batch, no_document_takes_the_place_of_another_one_by_a_link) {
   const std::vector<std::string> taken{"build", "a.json", "c.json", "--out-dir", "out"};
   const ProcessResult refused = dupin(taken);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("what becomes of 'a.json', 'out/a.stl', would take the place "
-                                     "of 'c.json'"));
+  EXPECT_THAT(refused.err, HasSubstr("'out/a.stl' of 'a.json' would take the place of 'c.json'"));
   EXPECT_EQ(folder_.read("c.json"), document);
   EXPECT_FALSE(std::filesystem::exists(out / "c.stl"));
 

@@ -567,8 +567,9 @@ ResolvedAssembly kept_out_of_solids(SelectedParts& bore, const Assembly& assembl
   for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(outer.parts[i].shape, end);
-      if (!bore.position[i] || ring == nullptr || !facing.contains(ring->center)) {
-        continue;
+      if (!bore.position[i] || ring == nullptr || !facing.contains(ring->center) ||
+          bore.resolved.parts[*bore.position[i]].joined.at(at(end))) {
+        continue;  // what goes on there, the solid part cuts on both sides
       }
       const EndIndex solid = facing.at(ring->center);
       const PartSurface& shape = outer.parts[solid.part].shape;

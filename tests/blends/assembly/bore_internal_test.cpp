@@ -394,6 +394,33 @@ TEST(Bore, that_begins_in_one_as_wide_is_open) {
   }
 }
 
+// At the end of the one or the start of the other: the next pipe was solid metal, without a word.
+TEST(Bore, of_pipes_with_a_blind_flange_where_they_meet_is_in_both) {
+  for (const PortReference& port : {PortReference{"p", End::end}, PortReference{"q", End::start}}) {
+    const double between = 5;
+    const Regions made = regions(walled(
+        {pipe("p", {0, 0, 0}, {100, 0, 0}, 10), part("f", FlangeOfEnd{port, 20, between}, {}, true),
+         part("q", PipeAlong{PortReference{"p", End::end}, 100})},
+        1, 0.01));
+    EXPECT_EQ(made.fluid.solid.components(), 2) << port.part;
+    EXPECT_NEAR(made.fluid.solid.volume(), kPi * 81 * (200 - between), 100) << port.part;
+  }
+}
+
+// No finer mesh helps.
+TEST(Bore, that_ends_in_an_end_called_as_its_part_says_so) {
+  Assembly closed = walled({pipe("a", {0, 0, 0}, {9, 0, 0}, 2)}, 0.5);
+  closed.patches = {{"a.start", "a"}};
+  try {
+    (void)built(closed, Region::metal);
+    ADD_FAILURE() << "was built";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.message(), HasSubstr("the patch 'a.start' is called 'a' as its part is"));
+  }
+  closed.patches = {{"a.start", "b"}};
+  EXPECT_EQ(built(closed, Region::metal).solid.euler_number(), 0);
+}
+
 // The balls are not concentric then; finer meshes were said to do.
 TEST(Bore, of_a_fillet_breaks_through_where_walls_differ) {
   Assembly slanted =

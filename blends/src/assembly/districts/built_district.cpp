@@ -372,6 +372,11 @@ class Builder {
 
   [[nodiscard]] std::string wall_advice(std::string_view part, std::string_view bore) const {
     const std::string_view bored = bore.substr(0, bore.rfind(assembly::kBoreSuffix));
+    if (const auto end = end_called_as_part(bored); end && part == bored) {
+      return "the patch '" + *end + "' is called '" + assembly_.patches.at(*end) +
+             "' as its part is, so that no bore opens there, and no wall closes it; give it "
+             "another name";
+    }
     if (part == bored || are_neighbours(part, bored) || are_of_a_fillet(part, bored)) {
       return "meshes are too coarse there for the wall; choose a smaller tolerance, or a thicker "
              "wall";
@@ -379,6 +384,17 @@ class Builder {
     return "there is no wall where an open end of '" + std::string(bored) +
            "' is cut; that end must be elsewhere, or '" + std::string(bored) +
            "' without a bore (\"wall\": 0)";
+  }
+
+  [[nodiscard]] std::optional<std::string> end_called_as_part(std::string_view part) const {
+    for (const End end : {End::start, End::end}) {
+      const std::string name = to_string({std::string(part), end});
+      const auto patch = assembly_.patches.find(name);
+      if (patch != assembly_.patches.end() && patch->second == part) {
+        return name;
+      }
+    }
+    return std::nullopt;
   }
 
   // Whether one of them is the fillet of the other.
