@@ -50,11 +50,11 @@ Input read_input(const std::string& path) {
   if (path != "-") {
     return {read_file(path), path};
   }
-  Input input{{std::istreambuf_iterator<char>(std::cin), {}}, kStandardInput};
-  if (std::cin.bad()) {
-    throw Error(Errc::io_failed, "cannot be read", {}, input.name);
+  try {
+    return {{std::istreambuf_iterator<char>(std::cin), {}}, kStandardInput};
+  } catch (const std::ios_base::failure& failure) {  // what the buffer throws, closed or a folder
+    throw Error(Errc::io_failed, "cannot be read: " + failure.code().message(), {}, kStandardInput);
   }
-  return input;
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& paths) {

@@ -39,7 +39,9 @@ Vec3 turning(const SpinePoint& y, const Vec3& tangent) {
 struct SpineFrom {
   Vec3 origin;
 
-  Spine operator()(const LineSpine& line) const { return LineSpine{line.from - origin, line.to - origin}; }
+  Spine operator()(const LineSpine& line) const {
+    return LineSpine{line.from - origin, line.to - origin};
+  }
   Spine operator()(ArcSpine arc) const {
     arc.center -= origin;
     arc.start -= origin;
