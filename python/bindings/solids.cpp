@@ -22,8 +22,12 @@ namespace {
 
 using MeshPointer = std::shared_ptr<TriMesh>;
 
+// In hexadecimal digits, of which Python reads any number; decimal ones are at most 4300.
 py::object fraction(const mpq_class& number) {
-  return py::module_::import("fractions").attr("Fraction")(number.get_str());
+  const py::object integer = py::module_::import("builtins").attr("int");
+  return py::module_::import("fractions")
+      .attr("Fraction")(integer(number.get_num().get_str(16), 16),
+                        integer(number.get_den().get_str(16), 16));
 }
 
 ContactPolicy contact_policy(const std::string& name) {

@@ -67,6 +67,8 @@ TEST_F(ToolExitCode, five_when_the_result_cannot_be_written) {
   EXPECT_EQ(dupin({"union", "a.off", "b.off", "-o", "missing/b.off"}).exit_code, 5);
   EXPECT_EQ(shell("dupin convert a.off - --format off > /dev/full").exit_code, 5);
   EXPECT_EQ(shell("dupin check a.off > /dev/full").exit_code, 5);
+  EXPECT_EQ(shell("dupin check - < /").exit_code, 3);
+  EXPECT_EQ(shell("dupin check - <&-").exit_code, 3);
 }
 
 TEST_F(ToolExitCode, seventy_when_memory_runs_out) {

@@ -2,6 +2,7 @@
 import copy
 import gc
 import pickle
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -325,3 +326,16 @@ def test_what_cannot_change_is_its_own_copy_and_meshes_are_pickled(box):
 def test_points_that_are_not_there_are_refused(box):
     with pytest.raises(IndexError, match="there are 8 points, from 0; not 8"):
         dupin.as_solid(*box()).exact_point(8)
+
+
+def test_volumes_of_more_digits_than_python_reads_are_fractions(box):
+    solid = part = dupin.as_solid(*box())
+    for i in range(1, 4):
+        part = part + solid.rotate([1, 2, i], 7 * i)
+    usual = sys.get_int_max_str_digits()
+    sys.set_int_max_str_digits(640)  # of decimal ones; 4300 if nobody says otherwise
+    try:
+        volume = part.exact_volume
+    finally:
+        sys.set_int_max_str_digits(usual)
+    assert volume.denominator > 10 ** 640 and float(volume) == part.volume
