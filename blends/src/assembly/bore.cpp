@@ -144,7 +144,7 @@ class Borer {
       within(outer_.parts[part].index, [&] { join_ends(part); });
     }
     std::erase_if(bore_.resolved.fillets, [&](const ResolvedFillet& fillet) {
-      return !fillet.shape.is_cope() && !(fillet.shape.radius + thicker_wall(fillet) > 0);
+      return !fillet.shape.is_cope() && !(fillet.shape.radius + thicker_of(walls_at(fillet)) > 0);
     });
     for (ResolvedFillet& fillet : bore_.resolved.fillets) {
       within(fillet.index, [&] { enlarge(fillet); });
@@ -256,8 +256,9 @@ class Borer {
       fillet.shape = cope_between(pipes, names);
       return;
     }
-    const double radius = fillet.shape.radius, thicker = thicker_wall(fillet);
-    if (const auto fault = bore_fault(around(fillet), pipes, names, radius, walls_at(fillet), 0)) {
+    const std::array<double, 2> walls = walls_at(fillet);
+    const double radius = fillet.shape.radius, thicker = thicker_of(walls);
+    if (const auto fault = bore_fault(around(fillet), pipes, names, radius, walls, 0)) {
       refuse((thicker > 0 ? "inside, where the ball has a radius of "
                           : "outside, where the ball has a radius of ") +
              decimal(radius + thicker, kMessageDigits) +
@@ -272,7 +273,7 @@ class Borer {
   [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet, const SurfacePair& pipes,
                                           const std::array<std::string, 2>& names) const {
     const std::array<double, 2> walls = walls_at(fillet);
-    if (thicker_wall(fillet) <= 0) {
+    if (thicker_of(walls) <= 0) {
       return {};
     }
     const double radius = fillet.shape.radius;
@@ -309,8 +310,9 @@ class Borer {
                                   const std::array<std::string, 2>& names, double share) const {
     const std::array<double, 2> walls = walls_at(fillet), outward = outward_at(fillet);
     const double less = 1 - share;
-    return fit(narrowed(around(fillet), {outward[0] * less, outward[1] * less}), names,
-               fillet.shape.radius, {walls[0] * share, walls[1] * share});
+    const auto outer = narrowed(around(fillet), {outward[0] * less, outward[1] * less});
+    return fit({&outer[0], &outer[1]}, names, fillet.shape.radius,
+               {walls[0] * share, walls[1] * share});
   }
 
   // The least wall of the part with the thinner one, where radii are those of outer surfaces.
@@ -322,11 +324,10 @@ class Borer {
     if (outward_at(fillet) != std::array<double, 2>{}) {
       return std::nullopt;
     }
-    const SurfacePair outer = around(fillet);
     const auto largest = largest_radius_below(apart, [&](double tried) {
       std::array<double, 2> changed = walls;
       changed.at(thin) = most - tried;
-      return fit({*outer[0], *outer[1]}, names, fillet.shape.radius, changed);
+      return fit(around(fillet), names, fillet.shape.radius, changed);
     });
     const std::string& name = outer_.parts[fillet.between.at(thin)].name;
     return largest ? std::optional("a wall of " + decimal_at_most(most - *largest) + " of '" +
@@ -334,12 +335,11 @@ class Borer {
                    : std::nullopt;
   }
 
-  static bool fit(const std::array<PartSurface, 2>& outer, const std::array<std::string, 2>& names,
-                  double radius, const std::array<double, 2>& walls) {
-    const SurfacePair both{&outer[0], &outer[1]};
-    const auto bores = narrowed(both, walls);
-    return !fillet_fault(both, names, radius) &&
-           !bore_fault(both, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
+  static bool fit(const SurfacePair& outer, const std::array<std::string, 2>& names, double radius,
+                  const std::array<double, 2>& walls) {
+    const auto bores = narrowed(outer, walls);
+    return !fillet_fault(outer, names, radius) &&
+           !bore_fault(outer, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
   }
 
   [[nodiscard]] SurfacePair around(const ResolvedFillet& fillet) const {
@@ -356,10 +356,6 @@ class Borer {
       return outward_distance(assembly_, assembly_.parts[outer_.parts[pipe].index]);
     };
     return {of(fillet.between[0]), of(fillet.between[1])};
-  }
-
-  [[nodiscard]] double thicker_wall(const ResolvedFillet& fillet) const {
-    return thicker_of(walls_at(fillet));
   }
 
   const Assembly& assembly_;

@@ -85,13 +85,16 @@ Json Values::value(const JsonNode& user, std::string_view name) {
     }
     user.fail("values must not need each other in a circle: " + circle);
   }
-  // The first bounds the recursion; the second holds in whatever order values are written.
+  const auto bound = [&](std::size_t values) {
+    if (values > kLongestChain) {
+      user.fail("more than " + std::to_string(kLongestChain) + " values need each other in a row");
+    }
+  };
+  bound(pending_.size());  // and the recursion
   const std::size_t of_user = std::exchange(longest_chain_, 0);
-  Json result = pending_.size() > kLongestChain ? Json() : defined(definition);
+  Json result = defined(definition);
   const std::size_t chain = longest_chain_ + 1;
-  if (pending_.size() > kLongestChain || chain > kLongestChain) {
-    user.fail("more than " + std::to_string(kLongestChain) + " values need each other in a row");
-  }
+  bound(chain);  // in whatever order they are written
   pending_.pop_back();
   longest_chain_ = std::max(of_user, chain);
   return known_.emplace(name, Known{std::move(result), chain}).first->second.value;
