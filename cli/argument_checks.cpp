@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include <CLI/App.hpp>
 
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/streamed_format.h"
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "output.h"
@@ -63,7 +63,8 @@ bool writes_new_versions(const CLI::App& command) {
 bool is_pvtu(const CLI::App& command, const fs::path& path) {
   const CLI::Option* const format = command.get_option_no_throw("--format");
   const bool is_said = format != nullptr && format->count() > 0;
-  return is_said ? format->results().front() == "pvtu" : lower_extension(path.string()) == ".pvtu";
+  return is_said ? format->results().front() == kPvtu.key
+                 : lower_extension(path.string()) == kPvtu.extension;
 }
 
 /// Those that are files, or may become one, of the options that are asked for.
@@ -88,28 +89,17 @@ std::vector<NamedFile> files_of(const CLI::App& command, const IsWanted& is_want
   return files;
 }
 
-bool is_listed_name(const std::string& name, const std::string& stem) {
-  constexpr std::string_view kEnd = ".vtu";
-  if (!name.starts_with(stem + "_") || !name.ends_with(kEnd)) {
-    return false;
-  }
-  const std::size_t begin = stem.size() + 1;
-  return name.find_first_not_of("0123456789", begin) == name.size() - kEnd.size() &&
-         name.size() - kEnd.size() > begin;
-}
-
 /// Whether the path may be, or lead to, one of the files that are listed; how many there will be is
 /// not known yet.
 bool may_list(const NamedFile& file, const fs::path& path) {
   std::error_code failure;
   const fs::path folder = fs::absolute(file.typed, failure).parent_path();
-  const std::string stem = file.typed.stem().string();
-  if (is_listed_name(path.filename().string(), stem) &&
+  if (is_listed_name(path.filename().string(), file.typed) &&
       path.parent_path() == fs::weakly_canonical(folder, failure)) {
     return true;
   }
   return std::ranges::any_of(fs::directory_iterator(folder, failure), [&](const auto& entry) {
-    return is_listed_name(entry.path().filename().string(), stem) &&
+    return is_listed_name(entry.path().filename().string(), file.typed) &&
            file_at(entry.path().string()) == path;
   });
 }

@@ -121,6 +121,10 @@ std::string index_text(const std::vector<std::string>& files, bool have_labels, 
 
 }  // namespace
 
+std::string listed_name(const fs::path& pvtu, std::size_t number) {
+  return pvtu.stem().string() + "_" + std::to_string(number) + ".vtu";
+}
+
 PvtuStream::PvtuStream(fs::path path, const Processes* processes)
     : path_(std::move(path)),
       processes_(processes != nullptr && processes->count() > 1 ? processes : nullptr) {
@@ -173,7 +177,7 @@ void PvtuStream::commit(const MeshHeader& header, const Normals&) {
   std::vector<fs::path> paths;
   std::vector<bool> are_own;
   for (const auto& [file, pieces] : files_) {
-    names.push_back(path_.stem().string() + "_" + std::to_string(names.size()) + ".vtu");
+    names.push_back(listed_name(path_, names.size()));
     paths.push_back(path_.parent_path() / names.back());
     are_own.push_back(is_own(pieces));
   }

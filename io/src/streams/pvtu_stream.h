@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dupin/io/atomic_file.h"
@@ -12,6 +13,9 @@
 #include "streams/spilled_meshes.h"
 
 namespace dupin::streams {
+
+/// Of the files that a .pvtu lists, beside it.
+[[nodiscard]] std::string listed_name(const std::filesystem::path& pvtu, std::size_t number);
 
 /// Files of VTK with the pieces appended for each of them, and the one that lists these. Each is
 /// written by the process that has its pieces, and put in its place by the first one with the

@@ -1,6 +1,7 @@
 #include "dupin/io/streamed_format.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <utility>
 
@@ -19,6 +20,13 @@ constinit const MeshFormat kPvtu = {.key = "pvtu",
                                     .name = "VTK pieces",
                                     .extension = ".pvtu",
                                     .coordinates = Coordinates::binary64};
+
+bool is_listed_name(std::string_view name, const std::filesystem::path& pvtu) {
+  std::size_t number = 0;
+  const std::size_t digits = name.rfind('_') + 1;  // 0 where there is none
+  (void)std::from_chars(name.data() + digits, name.data() + name.size(), number);
+  return name == streams::listed_name(pvtu, number);
+}
 
 bool is_streamed(const MeshFormat& format) {
   return format == kStlBinary || format == kPlyBinary || format == kPvtu;

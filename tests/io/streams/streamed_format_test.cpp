@@ -118,5 +118,15 @@ TEST_F(MeshStreams, begin_where_they_can_be_written) {
   }
 }
 
+TEST_F(MeshStreams, names_of_listed_files_are_known) {
+  for (const char* const name : {"a_0.vtu", "a_12.vtu"}) {
+    EXPECT_TRUE(is_listed_name(name, "folder/a.pvtu")) << name;
+  }
+  for (const char* const name : {"a_.vtu", "a_1.vtp", "a_x.vtu", "b_1.vtu", "a.vtu", "a_1_2.vtu",
+                                 "a_99999999999999999999.vtu", ""}) {
+    EXPECT_FALSE(is_listed_name(name, "folder/a.pvtu")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test

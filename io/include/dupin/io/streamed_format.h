@@ -18,6 +18,9 @@ namespace dupin {
 /// not among mesh_formats().
 extern const MeshFormat kPvtu;
 
+/// Whether a file of this name is one that the file `pvtu` may list: NAME_0.vtu of NAME.pvtu.
+[[nodiscard]] bool is_listed_name(std::string_view name, const std::filesystem::path& pvtu);
+
 /// Whether solids can be written one after the other: binary STL, binary PLY and kPvtu.
 [[nodiscard]] bool is_streamed(const MeshFormat& format);
 
