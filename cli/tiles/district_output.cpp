@@ -40,13 +40,12 @@ RoundingOptions rounding_of_districts(RoundingOptions rounding, std::span<const 
   if (boxes.size() < 2 || !all.min().allFinite() || !all.max().allFinite()) {
     return rounding;
   }
-  rounding.whole = all;
+  rounding.whole = {.box = all};
   const Vec3 origin = to_mesh(Solid(), Coordinates::binary64, rounding).report().origin;
   rounding.origin = {.choice = Origin::Choice::given, .place = origin};
   const double largest = std::max((all.min() - origin).cwiseAbs().maxCoeff(),
                                   (all.max() - origin).cwiseAbs().maxCoeff());
-  const Vec3 half = Vec3::Constant(std::exp2(std::ilogb(largest)));
-  rounding.whole = Eigen::AlignedBox3d(origin - half, origin + half);
+  rounding.whole->largest = std::exp2(std::ilogb(largest));
   return rounding;
 }
 
@@ -68,8 +67,9 @@ OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxe
       add_settled(*std::move(reports[i].settled), report);
     }
   }
-  return write_rounded(joined(all, boxes), to, std::move(header), std::move(report), {}, written,
-                       normals);
+  const Rounded whole = joined(all, boxes);
+  require_something_left(whole.report(), whole.mesh().triangles.size(), options);
+  return write_rounded(whole, to, std::move(header), std::move(report), {}, written, normals);
 }
 
 namespace {
@@ -150,7 +150,9 @@ void DistrictFile::flush() {
   writing([&] { stream_->flush(); });
 }
 
-OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
+OutputReport DistrictFile::commit(MeshHeader header, const RoundingOptions& rounding,
+                                  const NormalsOf& normals) {
+  require_something_left(report_.rounding, report_.check->triangles, rounding);
   const Vec3& origin = report_.rounding.origin;
   note_origin(origin, header);
   MeshStream::Normals of_piece;

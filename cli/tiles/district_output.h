@@ -67,7 +67,8 @@ class DistrictFile {
   /// In another thread, while nothing else is called: commit() waits for less then.
   void flush();
   /// The file takes its place. `normals` are asked for where the format has some.
-  [[nodiscard]] OutputReport commit(MeshHeader header, const NormalsOf& normals = {});
+  [[nodiscard]] OutputReport commit(MeshHeader header, const RoundingOptions& rounding,
+                                    const NormalsOf& normals = {});
   /// Nothing takes its place.
   void abandon() { stream_->abandon(); }
   /// Of the solids' labels, before rounding.

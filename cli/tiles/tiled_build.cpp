@@ -48,11 +48,8 @@ std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
   add(rounding.tolerance);
   add(rounding.output_grid);
   add(static_cast<double>(rounding.origin.choice));
-  const Eigen::AlignedBox3d whole =
-      rounding.whole.value_or(Eigen::AlignedBox3d(Vec3(Vec3::Zero()), Vec3(Vec3::Zero())));
-  for (const Vec3& place : {rounding.origin.place, Vec3(whole.min()), Vec3(whole.max())}) {
-    std::ranges::for_each(place, add);
-  }
+  std::ranges::for_each(rounding.origin.place, add);
+  add(rounding.whole ? rounding.whole->largest : 0);
   return text + "\n";
 }
 
@@ -160,7 +157,8 @@ class TiledBuild {
     }
     flushed.get();
     OutputReport report = file.commit(
-        header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
+        header, rounding_,
+        to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);
     return TiledBuilt{std::move(all), std::move(report),
                       cache_ ? cache_->warning() : std::string()};

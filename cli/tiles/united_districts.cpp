@@ -167,7 +167,7 @@ class UnionInTiles {
       file.abandon();
       return std::nullopt;
     }
-    OutputReport report = file.commit({files_.unit, {}});
+    OutputReport report = file.commit({files_.unit, {}}, rounding_);
     seams_.join(*report.check);
     learn_repairs();
     report.repairs = repairs_in(task_.files, repairs_);
@@ -216,14 +216,18 @@ class UnionInTiles {
     for (const OperandStretch& stretch : districts_.stretches[district]) {
       auto own = solid_of(stretch, district);
       if (!own) {
-        return {.output = unfit_output(seams.size())};
+        DistrictResult unfit;
+        unfit.output = unfit_output(seams.size());
+        return unfit;
       }
       operands.push_back(*std::move(own));
     }
     const Solid solid = united(operands, district);
     operands.clear();
-    return {.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
-                                      task_.contacts, seams)};
+    DistrictResult result;
+    result.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
+                                    task_.contacts, seams);
+    return result;
   }
 
   // Of stretches of one operand, the first one's district notes what was mended.

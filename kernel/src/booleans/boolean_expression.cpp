@@ -30,7 +30,7 @@ class Expression::Parser {
 
   Expression run() {
     sum();
-    if (peek() != '\0') {
+    if (peek(); at_ < text_.size()) {
       fail(std::string("'+', '-', '&' or the end is expected, not '") + character() + "'");
     }
     return std::move(result_);
@@ -41,6 +41,7 @@ class Expression::Parser {
     throw Error(Errc::parse_failed, "in the expression \"" + std::string(text_) + "\": " + message,
                 {}, std::to_string(at_ + 1));
   }
+  // NUL at the end; one before it is what no rule expects.
   char peek() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
       ++at_;
@@ -65,7 +66,9 @@ class Expression::Parser {
   }
   // That is next, of as many bytes as UTF-8 has for it.
   [[nodiscard]] std::string character() {
-    peek();
+    if (peek() == '\0') {
+      return "\\0";
+    }
     std::size_t end = at_ + 1;
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) {
       ++end;
@@ -99,8 +102,8 @@ class Expression::Parser {
       }
       operand(text_.substr(begin, at_ - begin));
     } else {
-      fail(c == '\0' ? "an operand is expected at the end"
-                     : "an operand is expected, not '" + character() + "'");
+      fail(at_ == text_.size() ? "an operand is expected at the end"
+                               : "an operand is expected, not '" + character() + "'");
     }
   }
   void operand(std::string_view name) {

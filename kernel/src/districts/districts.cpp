@@ -393,7 +393,29 @@ void add(const RoundingReport& district, RoundingReport& all) {
   append(district.thin_shells, all.thin_shells);
 }
 
+namespace {
+
+// As many of each defect as check() keeps, in its order.
+void add_findings(const Report& district, Report& all) {
+  const auto faces = static_cast<std::uint32_t>(all.triangles);
+  const auto points = static_cast<std::uint32_t>(all.points);
+  for (Finding finding : district.findings) {
+    const auto kept = std::ranges::count(all.findings, finding.defect, &Finding::defect);
+    if (std::size_t(kept) < CheckOptions().limit) {
+      std::ranges::for_each(finding.faces, [=](std::uint32_t& face) { face += faces; });
+      std::ranges::for_each(finding.points, [=](std::uint32_t& point) { point += points; });
+      all.findings.push_back(std::move(finding));
+    }
+  }
+  std::ranges::stable_sort(all.findings, {}, &Finding::defect);
+}
+
+}  // namespace
+
 void add(const Report& district, Report& all) {
+  if (!district.findings.empty()) {
+    add_findings(district, all);
+  }
   const auto faces = static_cast<std::uint32_t>(all.triangles);
   all.points += district.points;
   all.triangles += district.triangles;

@@ -240,7 +240,7 @@ class Rounding {
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
       broken = faults(mesh, alive, move);
-      if (broken.empty() && !alive.empty()) {
+      if (broken.empty() && (!alive.empty() || options_.whole)) {
         return finished(mesh, alive,
                         {.largest_move = move,
                          .repair_reach = reach,
@@ -539,12 +539,14 @@ double Rounding::largest_move(double from_doubles) const {
 }
 
 Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
+  const double size =
+      (options_.whole ? options_.whole->box : boxes::bounds_of(doubles())).sizes().maxCoeff();
   return unroundable_error(
       {.at = at + origin_ + past_.origin,
        .tolerance = tolerance_,
        .coordinates = coordinates_,
-       .is_far = boxes::bounds_of(doubles()).sizes().maxCoeff() < rounded_.largest,
-       .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
+       .is_far = size<rounded_.largest, .is_on_output_grid = options_.output_grid> 0 &&
+                 step_ == options_.output_grid,
        .is_nothing = is_nothing});
 }
 

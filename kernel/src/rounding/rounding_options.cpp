@@ -39,7 +39,7 @@ Vec3 chosen_origin(const RoundingOptions& options, std::span<const Vec3> points)
   if (origin.choice == Origin::Choice::given) {
     return origin.place;
   }
-  const Eigen::AlignedBox3d whole = options.whole ? *options.whole : boxes::bounds_of(points);
+  const Eigen::AlignedBox3d whole = options.whole ? options.whole->box : boxes::bounds_of(points);
   const double extent = (whole.max() / 2 - whole.min() / 2).maxCoeff();
   const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
   Vec3 place = whole.min() / 2 + whole.max() / 2;
@@ -50,9 +50,12 @@ Vec3 chosen_origin(const RoundingOptions& options, std::span<const Vec3> points)
 }
 
 double largest_of(const RoundingOptions& options, const Vec3& origin) {
-  return options.whole ? std::max((options.whole->min() - origin).cwiseAbs().maxCoeff(),
-                                  (options.whole->max() - origin).cwiseAbs().maxCoeff())
-                       : 0;
+  if (!options.whole || options.whole->largest > 0) {
+    return options.whole ? options.whole->largest : 0;
+  }
+  const Eigen::AlignedBox3d& box = options.whole->box;
+  return std::max((box.min() - origin).cwiseAbs().maxCoeff(),
+                  (box.max() - origin).cwiseAbs().maxCoeff());
 }
 
 Error unroundable_error(const Unroundable& what) {

@@ -3,8 +3,24 @@
 #include "checking/plain_solid.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
+#include "rounding/rounding_options.h"
 
 namespace dupin {
+
+void require_something_left(const RoundingReport& report, std::size_t triangles,
+                            const RoundingOptions& options) {
+  if (triangles > 0 || report.removed_shells == 0) {
+    return;
+  }
+  const auto& whole = options.whole;
+  throw rounding::unroundable_error(
+      {.at = report.thin_shells.empty() ? report.origin : report.thin_shells.front().place,
+       .coordinates = report.coordinates,
+       .is_far =
+           whole && whole->box.sizes().maxCoeff() < rounding::largest_of(options, report.origin),
+       .is_on_output_grid = options.output_grid > 0,
+       .is_nothing = true});
+}
 
 Report check(const Rounded& rounded) {
   if (rounded.contacts().empty()) {

@@ -190,11 +190,16 @@ class Simplification {
     slack_ = largest * 0x1p-46;
   }
 
-  void run() {
+  void run(const Progress& progress) {
+    constexpr std::size_t kBetweenTold = 1024;
+    tell(progress, "simplify");
     for (std::uint32_t v = 0; v < input_.points.size(); ++v) {
       enqueue(v);
     }
-    while (!queue_.empty()) {
+    for (std::size_t looks = 1; !queue_.empty(); ++looks) {
+      if (looks % kBetweenTold == 0) {  // how many are left to look at is not known
+        tell(progress, "simplify", 1 - double(queue_.size()) / double(queue_.size() + looks));
+      }
       const auto [harm, vertex] = queue_.top();
       queue_.pop();
       for (const Option& option : options(vertex)) {
@@ -366,14 +371,14 @@ class Simplification {
 
 }  // namespace
 
-Simplified simplify(const Solid& solid, double tolerance) {
+Simplified simplify(const Solid& solid, double tolerance, const Progress& progress) {
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {
     throw Error(Errc::invalid_argument,
                 "the tolerance of simplification must be positive and finite");
   }
   const Rounded rounded = to_mesh(solid);
   Simplification simplification(rounded, tolerance);
-  simplification.run();
+  simplification.run(progress);
   return simplification.result(rounded.sources());
 }
 

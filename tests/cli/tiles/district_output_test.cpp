@@ -1,11 +1,14 @@
 #include "tiles/district_output.h"
 
 #include <cmath>
+#include <filesystem>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "dupin/io/off.h"
 #include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
 #include "exit_code.h"
 #include "support/process.h"
 #include "support/shapes.h"
@@ -41,8 +44,8 @@ TEST(DistrictOutput, all_districts_are_rounded_as_the_whole) {
   // A change that does not double the extent changes nothing.
   std::vector<Boxes> grown = boxes;
   grown[1][0].max().y() = 7;
-  EXPECT_EQ(rounding_of_districts({}, grown).whole->max(),
-            rounding_of_districts({}, boxes).whole->max());
+  EXPECT_EQ(rounding_of_districts({}, grown).whole->largest,
+            rounding_of_districts({}, boxes).whole->largest);
 }
 
 TEST(DistrictOutput, file_that_cannot_be_written_is_an_output_error) {
@@ -66,11 +69,41 @@ TEST(DistrictOutput, file_says_what_all_its_districts_are) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     file.append(district_output(solids[i], boxes, i, to, rounding_of_districts({}, boxes), {}));
   }
-  const OutputReport report = file.commit({"mm", {}});
+  const OutputReport report = file.commit({"mm", {}}, {});
   EXPECT_EQ(report.file, path);
   EXPECT_EQ(report.check->triangles, 24U);
   EXPECT_EQ(report.check->components, 2U);
   EXPECT_EQ(Solid::from(read_mesh(path)).volume(), 2);
+}
+
+TEST(DistrictOutput, file_of_which_rounding_leaves_nothing_is_not_written) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "out.stl").string();
+  const std::vector<Solid> specks{Solid::from(test::box({1e5, 0, 0}, {1e5 + 0x1p-12, 1e-5, 1e-5})),
+                                  Solid::from(test::box({2e5, 0, 0}, {2e5 + 0x1p-12, 1e-5, 1e-5}))};
+  const std::vector<Boxes> boxes{{{Vec3(1e5 - 9, -9, -9), Vec3(1e5 + 9, 9, 9)}},
+                                 {{Vec3(2e5 - 9, -9, -9), Vec3(2e5 + 9, 9, 9)}}};
+  const Destination to{path, kStlBinary};
+  const RoundingOptions rounding = rounding_of_districts({}, boxes);
+  const auto code = [](const auto& action) -> std::optional<Errc> {
+    try {
+      action();
+      return std::nullopt;
+    } catch (const Error& error) {
+      return error.code();
+    }
+  };
+  EXPECT_EQ(code([&] { (void)write_districts(specks, boxes, to, {}, {}, {}, nullptr, {}); }),
+            Errc::unroundable);
+  EXPECT_EQ(code([&] {
+              DistrictFile file(to);
+              for (std::size_t i = 0; i < specks.size(); ++i) {
+                file.append(district_output(specks[i], boxes, i, to, rounding, {}));
+              }
+              (void)file.commit({"mm", {}}, rounding);
+            }),
+            Errc::unroundable);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -110,6 +110,38 @@ TEST_F(TiledUnion, stays_in_its_boxes_whatever_the_origin) {
   }
 }
 
+TEST_F(TiledUnion, leaves_out_what_is_too_small_and_says_so) {
+  put("big.off", box({-1000, -1000, -1000}, {1000, 1000, 1000}));
+  put("speck.off", box({1e5, 0, 0}, {1e5 + 1e-4, 1e-4, 1e-4}));
+  put("beyond.off", box({-1e5, 0, 0}, {-1e5 + 1e-4, 1e-4, 1e-4}));
+  for (const std::string tiles : {"", " --tiles 1", " --tiles 3"}) {
+    SCOPED_TRACE(tiles);
+    const ProcessResult result = shell("dupin union big.off speck.off -o out.stl --json" + tiles);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto report = nlohmann::json::parse(result.out);
+    EXPECT_EQ(report["rounding"]["removed_shells"], 1);
+    EXPECT_EQ(report["rounding"]["thin_shells"].size(), 1);
+    EXPECT_EQ(report["check"]["triangles"], 12);
+    const ProcessResult nothing = shell("dupin union speck.off beyond.off -o none.stl" + tiles);
+    EXPECT_EQ(nothing.exit_code, 4);
+    EXPECT_THAT(nothing.err, HasSubstr("rounding leaves nothing of the solid"));
+    EXPECT_THAT(nothing.err, testing::Not(HasSubstr("origin auto"))) << "it is centred";
+    EXPECT_THAT(folder_.files(), testing::Not(testing::Contains("none.stl")));
+  }
+}
+
+// A member that came before one that threw was destroyed twice.
+TEST_F(TiledUnion, ends_with_the_error_of_a_district) {
+  put("a.off", box({0, 0, 0}, {0.25, 0.25, 0.25}));
+  put("b.off", box({0.125, 0.125, 0.125}, {0.3, 0.3, 0.3}));
+  for (int i = 0; i < 8; ++i) {
+    const ProcessResult result = shell(
+        "GLIBC_TUNABLES=glibc.malloc.check=3 LD_PRELOAD=libc_malloc_debug.so.0 " + tool_path() +
+        " union a.off b.off -o out.stl --grid 1 --rounding-tolerance 0.01 " + "--tiles 1; echo $?");
+    EXPECT_EQ(result.out, "4\n") << result.err;
+  }
+}
+
 TEST_F(TiledUnion, says_what_it_cannot_do) {
   const auto files = put_pairs(1);
   const auto refused = [&](const std::string& command, std::vector<std::string> options) {

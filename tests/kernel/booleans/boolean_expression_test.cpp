@@ -100,6 +100,13 @@ TEST(Expression, refuses_bad_text_with_the_place) {
   EXPECT_THROW((void)Expression::parse(std::string(5000, '(')), Error);
 }
 
+TEST(Expression, does_not_end_at_a_nul) {
+  using std::string_literals::operator""s;
+  for (const std::string& text : {"a\0"s, "a \0- b"s, "\0a"s, "a + \0"s, "(a\0)"s}) {
+    EXPECT_THROW((void)Expression::parse(text), Error) << testing::PrintToString(text);
+  }
+}
+
 TEST(Expression, names_whole_characters) {
   for (const auto& [text, character] :
        {std::pair("a + \u00e9", "'\u00e9'"), {"a \u20ac b", "'\u20ac'"}, {"a + %", "'%'"}}) {

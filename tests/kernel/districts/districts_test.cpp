@@ -7,11 +7,13 @@
 #include <limits>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -186,7 +188,7 @@ TEST(Districts, rounded_solids_are_joined_as_they_are) {
     boxes.push_back({cube(x - 1, -1, -1, 4)});
   }
   RoundingOptions options{.origin = {.choice = Origin::Choice::automatic}};
-  options.whole = bounds_of(boxes);
+  options.whole = {.box = bounds_of(boxes)};
   std::vector<Rounded> rounded;
   for (const Solid& solid : solids) {
     rounded.push_back(to_mesh(solid, Coordinates::binary32, options));
@@ -235,12 +237,66 @@ TEST(Districts, checks_of_all_are_that_of_all_at_once) {
   EXPECT_TRUE(all.is_solid());
 }
 
+TEST(Districts, checks_of_all_have_the_findings_of_all) {
+  const TriMesh ball = tetrahedron();
+  TriMesh torn = ball;
+  torn.triangles.pop_back();
+  std::vector<TriMesh> meshes;
+  for (int i = 0; i < 60; ++i) {
+    meshes.push_back(moved(i % 3 == 0 ? ball : torn, Vec3(20 * i, 0, 0)));
+  }
+  Report all;
+  for (const TriMesh& mesh : meshes) {
+    add(check(mesh), all);
+  }
+  const Report at_once = check(joined(meshes));
+  ASSERT_EQ(all.findings.size(), at_once.findings.size());
+  EXPECT_EQ(all.findings.size(), 100) << "as many as are kept";
+  EXPECT_EQ(all.count(Defect::boundary_edge), 120);
+  for (std::size_t i = 0; i < all.findings.size(); ++i) {
+    EXPECT_EQ(all.findings[i].defect, at_once.findings[i].defect) << i;
+    EXPECT_EQ(all.findings[i].faces, at_once.findings[i].faces) << i;
+    EXPECT_EQ(all.findings[i].points, at_once.findings[i].points) << i;
+    EXPECT_EQ(all.findings[i].place, at_once.findings[i].place) << i;
+  }
+}
+
+TEST(Districts, nothing_may_be_left_of_a_piece_but_not_of_all) {
+  const Solid speck = Solid::from(tetrahedron({1e5, 0, 0}, 1e-4));
+  RoundingOptions options;
+  EXPECT_EQ(code_of([&] { (void)to_mesh(speck, Coordinates::binary32, options); }),
+            Errc::unroundable);
+  options.whole = {.box = Box(Vec3::Constant(-1e5), Vec3::Constant(1e5))};
+  const Rounded nothing = to_mesh(speck, Coordinates::binary32, options);
+  EXPECT_TRUE(nothing.mesh().triangles.empty());
+  EXPECT_EQ(nothing.report().removed_shells, 1);
+  EXPECT_NO_THROW(require_something_left(nothing.report(), 4, options));
+  EXPECT_EQ(code_of([&] { require_something_left(nothing.report(), 0, options); }),
+            Errc::unroundable);
+  EXPECT_NO_THROW(require_something_left({}, 0, options)) << "there was nothing";
+}
+
+TEST(Districts, recentring_is_a_remedy_for_what_is_far_as_a_whole) {
+  const auto message = [&](const Box& whole) {
+    RoundingOptions options;
+    options.whole = {.box = whole, .largest = 0x1p20};
+    RoundingReport report;
+    report.removed_shells = 1;
+    report.coordinates = Coordinates::binary32;
+    return message_of([&] { require_something_left(report, 0, options); });
+  };
+  EXPECT_THAT(message({Vec3(1e6, 0, 0), Vec3(1e6 + 10, 10, 10)}),
+              testing::HasSubstr("origin auto"));
+  EXPECT_THAT(message({Vec3(-1e6, 0, 0), Vec3(1e6, 10, 10)}),
+              testing::Not(testing::HasSubstr("origin auto")));
+}
+
 TEST(Districts, rounding_reaches_as_far_as_in_the_whole) {
   const Solid thin = Solid::from(moved(tube(0.03125, 0, 1, 256), Vec3(1e4, 2e3, -1e4)));
   const double own = to_mesh(thin, Coordinates::binary32).report().repair_reach;
   EXPECT_GT(own, 0);
   RoundingOptions options;
-  options.whole = Box(Vec3::Constant(-8e4), Vec3::Constant(8e4));
+  options.whole = {.box = Box(Vec3::Constant(-8e4), Vec3::Constant(8e4))};
   EXPECT_EQ(to_mesh(thin, Coordinates::binary32, options).report().repair_reach, 8 * own);
 }
 

@@ -59,10 +59,12 @@ TEST(ChosenOrigin, is_what_was_asked_for) {
 
 TEST(ChosenOrigin, of_a_piece_is_that_of_the_whole) {
   RoundingOptions options{.origin = {Origin::Choice::automatic, {}}};
-  options.whole = Eigen::AlignedBox3d(Vec3(0, 0, 0), Vec3(64, 32, 16));
+  options.whole = {.box = {Vec3(0, 0, 0), Vec3(64, 32, 16)}};
   EXPECT_EQ(chosen_origin(options, std::vector{Vec3(1, 2, 3)}), Vec3(32, 16, 8));
   EXPECT_EQ(chosen_origin(options, {}), Vec3(32, 16, 8)) << "nothing of it is here";
   EXPECT_EQ(largest_of(options, Vec3(1, 2, 3)), 63);
+  options.whole->largest = 128;
+  EXPECT_EQ(largest_of(options, Vec3(1, 2, 3)), 128);
   EXPECT_EQ(largest_of({}, Vec3(1, 2, 3)), 0);
 }
 

@@ -123,6 +123,28 @@ TEST(Simplify, leaves_what_has_nothing_to_spare) {
   EXPECT_EQ(result.deviation, 0);
 }
 
+TEST(Simplify, tells_how_far_it_is_and_can_be_ended) {
+  const Solid tube = Solid::from(ringed_tube(64, 16));
+  double last = 0;
+  std::size_t told = 0;
+  (void)simplify(tube, 0.1, [&](std::string_view stage, double fraction) {
+    EXPECT_EQ(stage, "simplify");
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    last = fraction;
+    ++told;
+    return true;
+  });
+  EXPECT_GT(told, 1);
+  EXPECT_GT(last, 0);
+  try {
+    (void)simplify(tube, 0.1, [](std::string_view, double fraction) { return fraction == 0; });
+    ADD_FAILURE() << "it went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::cancelled);
+  }
+}
+
 TEST(Simplify, refuses_senseless_tolerances) {
   const Solid solid = Solid::from(test::tetrahedron());
   for (const double tolerance :

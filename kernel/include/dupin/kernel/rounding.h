@@ -26,6 +26,12 @@ struct Origin {
   Vec3 place = Vec3::Zero();
 };
 
+/// What pieces that are rounded apart are of.
+struct Whole {
+  Eigen::AlignedBox3d box;  ///< about it
+  double largest = 0;       ///< coordinate, seen from the origin, or more; 0: that of the box
+};
+
 struct RoundingOptions {
   /// Largest move allowed for repair, in model units; 0 chooses 1024 times the distance between
   /// neighbouring numbers at the largest coordinate in the target format. Only what does not round
@@ -34,9 +40,9 @@ struct RoundingOptions {
   /// Rounds to multiples of this power of two where the target format can hold them; 0 for none.
   double output_grid = 0;
   Origin origin;
-  /// About a larger whole that the solid is a piece of: the automatic origin, and what the standard
-  /// tolerance is taken from, are the whole's. None: the solid is the whole.
-  std::optional<Eigen::AlignedBox3d> whole = std::nullopt;
+  /// What the solid is a piece of: the automatic origin, and what the standard tolerance is taken
+  /// from, are the whole's, and nothing may be left of the piece. None: the solid is the whole.
+  std::optional<Whole> whole = std::nullopt;
 };
 
 /// A shell that rounding moves by more than it is thick. Its thickness is twice its volume over its
@@ -131,6 +137,26 @@ class Rounded {
 /// place moves further than the rest of its tolerance. The report tells what was parted; the
 /// solid stays as it is where that does not do. O(n) and what repair near the contacts takes.
 [[nodiscard]] Rounded parted(Rounded touching, const RoundingOptions& options = {});
+
+/// A rounded solid, and the contacts that were ended for it.
+struct RoundedApart {
+  Rounded rounded;
+  double length = 0;  ///< nothing farther from a contact changed
+  std::vector<Contact> contacts;
+};
+
+/// For formats whose readers make points in the same place one: the solid rounded, apart where it
+/// touches itself by as few spacings of the coordinates as it takes, one, two, four to 64, or,
+/// where only the rounded solid touches itself, by moves of its points; see separate() and
+/// parted(). Where none of that does it still touches itself, and no contacts are told. Throws as
+/// to_mesh.
+[[nodiscard]] RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
+                                         const RoundingOptions& options = {});
+
+/// Throws Error{unroundable} where nothing is left of what is whole, but was more: of all pieces
+/// that were rounded with these options, or of one solid.
+void require_something_left(const RoundingReport& report, std::size_t triangles,
+                            const RoundingOptions& options);
 
 /// What `check` says of the mesh. That its triangles do not cross is taken from `to_mesh`, which
 /// has proved it; that it is closed, a manifold and turned the right way is looked at again. All

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
 
 namespace dupin {
@@ -24,7 +25,8 @@ struct Simplified {
 /// between labels keep their course exactly, contacts their points. No face passes over another
 /// shell, however small: of each, one point stays, and so does what it is beside. About 20
 /// microseconds per removed triangle. Throws Error{invalid_argument} unless the tolerance is
-/// positive and finite, Error{unroundable} as `to_mesh`.
-[[nodiscard]] Simplified simplify(const Solid& solid, double tolerance);
+/// positive and finite, Error{unroundable} as `to_mesh`. Tells the stage "simplify".
+[[nodiscard]] Simplified simplify(const Solid& solid, double tolerance,
+                                  const Progress& progress = {});
 
 }  // namespace dupin
