@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -172,20 +172,42 @@ class Borer {
       part.end_names.at(at(end)) = part.may_open(end) ? to_string({inner, end}) : inner;
     }
     part.name = inner;
+    const double wall = walls_[part.index];
+    part.shape = wall < 0 ? insulation_shape(part, -wall) : narrowed_shape(part, wall);
+  }
+
+  [[nodiscard]] PartSurface narrowed_shape(const ResolvedPart& part, double wall) const {
     if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
-      part.shape = kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
-    } else if (!part.ends_in_hub) {
-      part.shape = narrowed(part.shape, walls_[part.index]);
+      return kind.bore(outer_shape(assembly_, part.index), part.shape, wall);
     }
+    return part.ends_in_hub ? part.shape : narrowed(part.shape, wall);
+  }
+
+  [[nodiscard]] PartSurface insulation_shape(const ResolvedPart& part, double thickness) const {
+    PartSurface shape;
+    const auto fault = [&](double tried) -> std::optional<Error> {
+      try {
+        shape = narrowed_shape(part, -tried);
+        (void)margins(shape, false);
+        return std::nullopt;
+      } catch (const Error& error) {
+        return error;
+      }
+    };
+    if (const auto folds = fault(thickness)) {
+      const auto most = largest_radius_below(thickness, [&](double t) { return !fault(t); });
+      throw Error(folds->code(),
+                  "its insulation of " + decimal(thickness, kMessageDigits) +
+                      " is too thick for its bends" +
+                      (most ? "; it may be at most " + decimal(*most) : ": " + folds->message()));
+    }
+    return shape;
   }
 
   // Of an arm, which may narrow on its way to the hub.
   [[nodiscard]] static double least_radius(const CyclideChain& pieces) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const PeArc& piece : pieces.pieces) {
-      least = std::min(least, dupin::least_radius(piece));
-    }
-    return least;
+    const auto radius = [](const PeArc& piece) { return dupin::least_radius(piece); };
+    return radius(std::ranges::min(pieces.pieces, {}, radius));
   }
 
   // The arms are parts, and end in the circles that the hub has, bitwise.
@@ -477,20 +499,8 @@ std::vector<double> insulation_of(const Assembly& assembly) {
 SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
                         const std::vector<double>& insulation) {
   std::vector<double> outwards(insulation.size());
-  std::ranges::transform(insulation, outwards.begin(), [](double thickness) { return -thickness; });
-  SelectedParts result = Borer(assembly, outer, outwards, kInsulationSuffix).run();
-  for (const ResolvedPart& part : result.resolved.parts) {
-    with_part_context(assembly, part.index, [&] {
-      try {
-        (void)margins(part.shape, false);
-      } catch (const Error& error) {
-        throw Error(error.code(), "its insulation of " +
-                                      decimal(insulation[part.index], kMessageDigits) +
-                                      " is too thick for its bends: " + error.message());
-      }
-    });
-  }
-  return result;
+  std::ranges::transform(insulation, outwards.begin(), std::negate<>());
+  return Borer(assembly, outer, outwards, kInsulationSuffix).run();
 }
 
 ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, double reach,

@@ -147,8 +147,11 @@ class Certifier {
     result_.fillets = std::move(inputs.fillets);
     result_.junctions = std::move(inputs.junctions);
     certification::reserve_for(result_.junctions, left_);
+    tell(options_.progress, "certify parts");
     append_parts();
+    tell(options_.progress, "certify meshes");
     append_meshes();
+    tell(options_.progress, "certify clearances");
     append_clearances();
     append_fillet_clearances();
     append_waiting_meshes();

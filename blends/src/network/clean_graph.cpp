@@ -14,8 +14,7 @@
 namespace dupin::network {
 namespace {
 
-// Of coordinates and radii: their squares and differences stay finite.
-constexpr double kLargest = 1e12;
+using assembly::kLargest;
 
 bool is_usable(double radius) { return radius > 0 && radius <= kLargest; }
 
@@ -83,12 +82,19 @@ class Cleaning {
       const GraphNode& node = graph_.nodes[i];
       const bool is_placed =
           node.center.lpNorm<Eigen::Infinity>() <= kLargest && node.center.allFinite();
-      if (is_placed && !(node.radius && !(std::abs(*node.radius) <= kLargest))) {
+      const bool is_bounded = !node.radius || std::abs(*node.radius) <= kLargest;
+      const bool is_fine = node.radius && *node.radius > 0 && *node.radius < kLeastRadius;
+      if (is_placed && is_bounded && !is_fine) {
         continue;
       }
       is_left_[i] = false;
-      const std::string why = named(i) + ": " + (is_placed ? "its radius" : "its coordinates") +
-                              " must be finite and at most 1e12 in size";
+      const std::string why =
+          named(i) + ": " +
+          (is_placed && is_bounded
+               ? "its radius must be at least " + decimal(kLeastRadius, kMessageDigits) + ", not " +
+                     decimal_at_most(*node.radius)
+               : (is_placed ? "its radius" : "its coordinates") +
+                     std::string(" must be finite and at most 1e12 in size"));
       if (is_used[i]) {
         refuse(node.line, why);
       } else {

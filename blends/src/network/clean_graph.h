@@ -2,9 +2,15 @@
 
 #include <vector>
 
+#include "assembly/document_bounds.h"
 #include "dupin/blends/pipe_graph.h"
 
 namespace dupin::network {
+
+/// The tolerance of a graph's assembly, where none is given: the least radius has so many.
+inline constexpr double kTolerancesInRadius = 25;
+/// So that this is one.
+inline constexpr double kLeastRadius = kTolerancesInRadius * assembly::kSmallest;
 
 struct Ball {
   std::string name;

@@ -37,6 +37,32 @@ std::array<std::string, 3> remedies(const std::string& part) {
   return {part, "node " + node, std::string(network::kRefusedBall) + node};
 }
 
+// Of the node or edge that the part is made of; 0 if there is none.
+std::size_t line_of(const PipeGraph& graph, const std::string& part) {
+  const auto name = [&](std::size_t node) { return graph.nodes.at(node).name; };
+  const auto is_the_edge = [&](const GraphEdge& edge) {
+    return edge.from < graph.nodes.size() && edge.to < graph.nodes.size() &&
+           part == "edge " + name(edge.from) + "-" + name(edge.to);
+  };
+  if (const auto edge = std::ranges::find_if(graph.edges, is_the_edge); edge != graph.edges.end()) {
+    return edge->line;
+  }
+  const std::string node = remedies(part)[1];
+  const auto is_the_node = [&](const GraphNode& one) { return node == "node " + one.name; };
+  const auto found = std::ranges::find_if(graph.nodes, is_the_node);
+  return found == graph.nodes.end() ? 0 : found->line;
+}
+
+// The error with the line as its place, instead of one in a document that nobody wrote.
+Error at_line(const Error& error, const PipeGraph& graph, const std::string& part,
+              bool keep_going) {
+  const std::size_t line = part.empty() ? 0 : line_of(graph, part);
+  return line == 0 ? error
+                   : Error(error.code(),
+                           error.message() + (keep_going ? "" : "; --keep-going does without it"),
+                           error.part(), graph.source + ":" + std::to_string(line));
+}
+
 // Whether there was one that has not been tried.
 bool refuse(const std::string& part, const std::string& why,
             std::map<std::string, std::string>& refused) {
@@ -57,7 +83,7 @@ Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork
       const std::string part = refused_part(network, error);
       if (!options.keep_going || part.empty() || round == kMostRounds ||
           !refuse(part, error.message(), fewer.refused)) {
-        throw;
+        throw at_line(error, graph, part, options.keep_going);
       }
     }
     const Assembly given = std::move(network.assembly);

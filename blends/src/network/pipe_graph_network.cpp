@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "assembly/document_bounds.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -157,17 +158,20 @@ void leave_out_refused(GraphPlan& plan, const std::map<std::string, std::string>
 }  // namespace
 
 PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options) {
-  if (options.radius && !(*options.radius > 0 && *options.radius <= 1e12)) {
-    throw Error(Errc::invalid_argument,
-                "the radius of nodes must be positive and at most 1e12, not " +
-                    decimal(*options.radius, kMessageDigits));
+  if (options.radius &&
+      !(*options.radius >= network::kLeastRadius && *options.radius <= assembly::kLargest)) {
+    throw Error(Errc::invalid_argument, "the radius of nodes must be between " +
+                                            decimal(network::kLeastRadius, kMessageDigits) +
+                                            " and 1e12, not " +
+                                            decimal(*options.radius, kMessageDigits));
   }
   CleanGraph clean = network::cleaned(graph, options);
   PipeNetwork result;
   result.assembly.source = graph.source;
   result.assembly.unit = options.unit;
   const auto least = std::ranges::min_element(clean.nodes, {}, &Ball::radius);
-  result.assembly.tolerance = options.tolerance.value_or(least->radius / 25);
+  result.assembly.tolerance =
+      options.tolerance.value_or(least->radius / network::kTolerancesInRadius);
   result.notes = graph.notes;
   result.notes.insert(result.notes.end(), clean.notes.begin(), clean.notes.end());
   GraphPlan plan(clean);

@@ -99,25 +99,56 @@ class ChainMaker {
            spans_.spans[links_.elements[i + 1].span].radii[0];
   }
 
-  // An eccentric part is a leg of its own where its neighbours go on beside its own axis, parallel
-  // to each other.
+  // Eccentric parts in a row are legs of their own where their neighbours go on beside their axes,
+  // parallel to each other.
   void find_offsets() {
-    for (std::size_t i = 0; i < links_.elements.size(); ++i) {
-      const ChainElement& element = links_.elements[i];
-      if (!spans_.spans[element.span].is_eccentric || !may_be_offset(i) || !may_be_offset(i + 1)) {
+    for (std::size_t begin = 0; begin < links_.elements.size(); ++begin) {
+      if (!is_eccentric(begin)) {
         continue;
       }
-      std::optional<Vec3> before, after;
-      if (i > 0) {
-        before = way(spans_, links_.elements[i - 1]);
+      std::size_t end = begin + 1;
+      while (end < links_.elements.size() && is_eccentric(end) && meet(end)) {
+        ++end;
       }
-      if (i + 1 < links_.elements.size()) {
-        after = way(spans_, links_.elements[i + 1]);
+      if (const auto axis = axis_beside(begin, end)) {
+        set_aside(begin, end, *axis);
       }
-      const Vec3 own = way(spans_, element);
-      if ((!before && !after) || (before && after && !is_straight(*before, *after, snap_)) ||
-          is_straight(before ? *before : *after, own, snap_) ||
-          !((before ? *before : *after).dot(own) > 0)) {
+      begin = end - 1;
+    }
+  }
+
+  [[nodiscard]] bool is_eccentric(std::size_t i) const {
+    return spans_.spans[links_.elements[i].span].is_eccentric;
+  }
+
+  // Whether element i begins where the one before it ends.
+  [[nodiscard]] bool meet(std::size_t i) const {
+    const auto& seam = links_.seams[i];
+    return !seam || seam->kind == SeamKind::kink;
+  }
+
+  // The direction of what is beside these elements, one or two that agree.
+  [[nodiscard]] std::optional<Vec3> axis_beside(std::size_t begin, std::size_t end) const {
+    if (!may_be_offset(begin) || !may_be_offset(end)) {
+      return std::nullopt;
+    }
+    std::optional<Vec3> before, after;
+    if (begin > 0 && !is_eccentric(begin - 1)) {
+      before = way(spans_, links_.elements[begin - 1]);
+    }
+    if (end < links_.elements.size() && !is_eccentric(end)) {
+      after = way(spans_, links_.elements[end]);
+    }
+    return before && after && !is_straight(*before, *after, snap_) ? std::nullopt
+           : before                                                ? before
+                                                                   : after;
+  }
+
+  // Those of them that lead along the axis, but not on it.
+  void set_aside(std::size_t begin, std::size_t end, const Vec3& axis) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 own = way(spans_, links_.elements[i]);
+      if (is_straight(axis, own, snap_) || !(axis.dot(own) > 0)) {
         continue;
       }
       for (const std::size_t k : {i, i + 1}) {
@@ -257,6 +288,17 @@ class ChainMaker {
     return is_split;
   }
 
+  // That of the first leg from there that is none of an eccentric part.
+  [[nodiscard]] Vec3 direction_behind(std::size_t begin) const {
+    std::size_t end = leg_end(begin);
+    while (end < links_.elements.size() && is_eccentric(begin) &&
+           links_.seams[end]->kind == SeamKind::offset) {
+      begin = end;
+      end = leg_end(begin);
+    }
+    return (node(end, begin, end) - node(begin, begin, end)).normalized();
+  }
+
   [[nodiscard]] Chain with_axes() const {
     Chain chain;
     chain.seams.push_back(*links_.seams.front());
@@ -278,8 +320,7 @@ class ChainMaker {
       } else if (!chain.legs.empty() && before == SeamKind::offset) {
         leg.direction = chain.legs.back().direction;
       } else if (leg.is_offset) {
-        leg.direction =
-            (node(leg_end(end), end, leg_end(end)) - node(end, end, leg_end(end))).normalized();
+        leg.direction = direction_behind(end);
       }
       leg.nodes.reserve(end - begin + 1);
       for (std::size_t i = begin; i <= end; ++i) {

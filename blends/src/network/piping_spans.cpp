@@ -14,7 +14,8 @@ namespace {
 // between them fits, whose radius is at least this many times the pipe's and which passes by the
 // centre at a distance of at most this part of it, as branches begin there.
 constexpr double kRunCosine = 0.5, kArcOfRun = 1.2, kArcBesideCenter = 0.1;
-// A run whose centre lies off it is still a line if its arms are at most 10 degrees off one.
+// A run whose centre lies off it is still a line if what is joined to it goes on along that rather
+// than along its arms, or, where nothing is, if these are at most 10 degrees off one.
 constexpr double kAlmostStraight = 0.985;
 // An arm's foot is where the run is if its centre is further off than this many radii of the run.
 constexpr double kBesideRun = 0.5;
@@ -348,17 +349,20 @@ class Spans {
     if (chord.cross(center - a.center).norm() <= options_.snap * chord.norm()) {
       return true;
     }
+    bool goes_on = false;
     for (const std::size_t port : run) {
       const auto& partner = partners_[port];
       const LinePort& own = result_.ports[port];
       const Vec3 along = (port == run[0] ? -1 : 1) * chord.normalized();
-      if (partner && result_.ports[*partner].outward &&
-          result_.ports[*partner].outward->cross(along).norm() >
-              result_.ports[*partner].outward->cross(*own.outward).norm()) {
-        return false;
+      if (partner && result_.ports[*partner].outward) {
+        const Vec3& next = *result_.ports[*partner].outward;
+        if (next.cross(along).norm() > next.cross(*own.outward).norm()) {
+          return false;
+        }
+        goes_on = true;
       }
     }
-    return -a.outward->dot(*b.outward) > kAlmostStraight;
+    return goes_on || -a.outward->dot(*b.outward) > kAlmostStraight;
   }
 
   [[nodiscard]] bool has_arc(std::size_t from, std::size_t to) const {

@@ -111,8 +111,32 @@ TEST(Insulation, that_a_bend_cannot_follow_is_refused_by_its_name) {
   } catch (const Error& error) {
     EXPECT_EQ(error.part(), "bend");
     EXPECT_EQ(error.code(), Errc::irregular_surface);
-    EXPECT_THAT(error.message(), HasSubstr("its insulation of 0.75 is too thick for its bends"));
+    EXPECT_THAT(
+        error.message(),
+        HasSubstr("its insulation of 0.75 is too thick for its bends; it may be at most 0.4"));
   }
+}
+
+TEST(Insulation, that_a_cyclide_cannot_follow_is_refused_with_what_would_do) {
+  const auto bent = [](double thickness) {
+    return insulated(
+        {pipe("a", {-20, 0, 0}, {-10, 0, 0}, 1),
+         pipe("b", {0, 10, 0}, {0, 20, 0}, 1),
+         {"s", CyclideBlendBetween{PortReference{"a", End::end}, PortReference{"b", End::start}}}},
+        thickness);
+  };
+  std::string message;
+  try {
+    (void)built(bent(20), Region::insulation);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "s");
+    message = error.message();
+  }
+  const std::string remedy = "its insulation of 20 is too thick for its bends; it may be at most ";
+  ASSERT_TRUE(message.starts_with(remedy)) << message;
+  const double most = std::stod(message.substr(remedy.size()));
+  EXPECT_NEAR(most, 9, 0.1);
+  EXPECT_NO_THROW((void)built(bent(most), Region::insulation));
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "blends/random_blends.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
@@ -33,6 +36,30 @@ TEST(Certificate, holds_whatever_work_its_searches_may_take) {
   // The far one is the third.
   for (const std::size_t i : {1U, 3U, 5U}) {
     EXPECT_EQ(first_looks.clearances[i].verdict, Verdict::proved);
+  }
+}
+
+TEST(Certificate, is_told_of_and_can_be_ended) {
+  const Assembly assembly{"pipe.json",
+                          Unit::millimetre,
+                          0.05,
+                          {},
+                          {Part{"a", PipeBetween{Vec3::Zero(), Vec3(5, 0, 0), 1}}}};
+  std::vector<std::string> stages;
+  (void)certify(assembly, {.progress = [&](std::string_view stage, double) {
+                  stages.emplace_back(stage);
+                  return true;
+                }});
+  EXPECT_EQ(stages,
+            (std::vector<std::string>{"certify parts", "certify meshes", "certify clearances"}));
+  for (const std::string& last : stages) {
+    try {
+      (void)certify(assembly,
+                    {.progress = [&](std::string_view stage, double) { return stage != last; }});
+      ADD_FAILURE() << last;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::cancelled);
+    }
   }
 }
 

@@ -87,6 +87,17 @@ TEST(CleanGraph, drops_what_is_nowhere_unless_it_is_used) {
               HasSubstr("node 3: its coordinates must be finite"));
 }
 
+TEST(CleanGraph, refuses_radii_that_leave_no_tolerance) {
+  EXPECT_EQ(cleaned(graph_of({node(0, kLeastRadius), node(9)}, {{0, 1}}), {}).nodes.size(), 2);
+  try {
+    (void)cleaned(graph_of({node(0), node(9, 1e-13)}, {{0, 1}}), {});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.message(), "node 2: its radius must be at least 2.5e-11, not 1e-13");
+    EXPECT_EQ(error.where(), "a.graph:2");
+  }
+}
+
 TEST(CleanGraph, refuses_with_the_line_or_leaves_out) {
   struct Row {
     PipeGraph graph;

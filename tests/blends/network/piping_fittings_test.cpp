@@ -20,6 +20,19 @@ TEST(PipingFittings, makes_tees_whose_centre_lies_off_the_run_or_whose_run_turns
   off.pipe({100, 0, 0}, {900, 0, 0});
   EXPECT_EQ(kind(part(off.made(), "c1").shape), "pipe");
   (void)solid(off.made());
+  for (const double aside : {2., 3., 5.}) {  // of short ones, by the pipe that goes on
+    for (const bool is_open : {false, true}) {
+      Line beside;
+      beside.pipe({-300, 0, 0}, {-27, 0, 0}, 30)
+          .tee({-27, 0, 0}, {0, 0, aside}, {27, 0, 0}, {0, 0, 75}, 30, 30);
+      if (!is_open) {
+        beside.pipe({27, 0, 0}, {300, 0, 0}, 30);
+      }
+      EXPECT_EQ(kind(part(beside.made(), "c1").shape), "pipe") << aside << is_open;
+      EXPECT_EQ(notes(beside.made()), "") << aside << is_open;
+      (void)solid(beside.made());
+    }
+  }
   Line turned;  // whose pipes lead to the centre
   turned.pipe({-900, 0, -27}, {-100, 0, 0})
       .tee({-100, 0, 0}, {0, 0, 3.375}, {100, 0, 0}, {0, 0, 100});

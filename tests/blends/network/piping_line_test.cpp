@@ -250,6 +250,69 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
   (void)solid(first.made());
 }
 
+TEST(PipingLine, keeps_eccentric_parts_in_a_row_flat) {
+  struct Row {
+    std::vector<double> heights, radii;
+    bool has_before = true, has_after = true;
+  };
+  const std::vector<Row> rows{{{0, 20, 35}, {50, 30, 15}},  // as one would: flat below
+                              {{0, -20, -35, -40}, {50, 30, 15, 10}},
+                              {{0, 20, 5}, {50, 30, 15}},   // flat below, then above
+                              {{0, 20, 40}, {50, 30, 10}},  // of one slant
+                              {{0, 20, 0}, {30, 50, 30}},
+                              {{0, 20, 35}, {50, 30, 15}, true, false},
+                              {{0, 20, 35}, {50, 30, 15}, false, true}};
+  for (const auto& [heights, radii, has_before, has_after] : rows) {
+    SCOPED_TRACE(testing::PrintToString(heights) + (has_before ? " behind" : "") +
+                 (has_after ? " before" : ""));
+    const std::size_t reducers = heights.size() - 1;
+    const double end = 100 * double(reducers);
+    Line line;
+    if (has_before) {
+      line.pipe({-500, 0, 0}, {0, 0, 0}, radii.front());
+    }
+    double volume = 0;
+    for (std::size_t i = 0; i < reducers; ++i) {
+      line.add(PipingShape::straight,
+               {{100 * double(i), 0, heights[i]}, {100 * double(i + 1), 0, heights[i + 1]}},
+               radii[i]);
+      line.last().is_eccentric = true;
+      line.last().ports[1].radius = radii[i + 1];
+      volume += std::numbers::pi * 100 / 3 *
+                (radii[i] * radii[i] + radii[i] * radii[i + 1] + radii[i + 1] * radii[i + 1]);
+    }
+    if (has_after) {
+      line.pipe({end, 0, heights.back()}, {end + 500, 0, heights.back()}, radii.back());
+    }
+    const PipingNetwork network = line.made();
+    EXPECT_EQ(network.assembly.parts.size(), reducers + has_before + has_after);
+    EXPECT_EQ(network.largest_move, 0);
+    EXPECT_EQ(notes(network), "");
+    for (std::size_t i = 0; i < reducers; ++i) {
+      EXPECT_EQ(kind(part(network, "c" + std::to_string(i + has_before)).shape), "oblique");
+    }
+    for (const PipingJoint& joint : network.joints) {
+      EXPECT_EQ(joint.state, JointState::met);
+    }
+    volume +=
+        std::numbers::pi * 500 *
+        (has_before * radii.front() * radii.front() + has_after * radii.back() * radii.back());
+    EXPECT_NEAR(solid(network).volume(), volume, 0.02 * volume);
+  }
+}
+
+TEST(PipingLine, notes_eccentric_parts_in_a_row_that_nothing_tells_the_axis_of) {
+  Line line;
+  line.add(PipingShape::straight, {{0, 0, 0}, {100, 0, 20}}).last().is_eccentric = true;
+  line.last().ports[1].radius = 30;
+  line.add(PipingShape::straight, {{100, 0, 20}, {200, 0, 50}}, 30).last().is_eccentric = true;
+  line.last().ports[1].radius = 10;
+  const PipingNetwork network = line.made();
+  EXPECT_THAT(notes(network), HasSubstr("10: c0: has no flat side"));
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: has no flat side"));
+  (void)solid(network);
+}
+
 TEST(PipingLine, notes_eccentric_parts_that_have_no_flat_side) {
   Line line;
   line.pipe({0, 0, 0}, {500, 0, 0}).add(PipingShape::straight, {{500, 0, 0}, {600, 0, 0}});

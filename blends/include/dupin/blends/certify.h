@@ -9,6 +9,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/certificate.h"
 #include "dupin/blends/tessellation.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -27,11 +28,13 @@ struct CertifyOptions {
   std::optional<double> apart = {};
   /// What the parts' meshes may have together, as in BuildOptions.
   std::size_t most_triangles = kUsualTriangles;
+  Progress progress = {};  ///< may be empty
 };
 
 /// Proves what it can about the smooth parts and their meshes, in exact rational or outward rounded
 /// arithmetic; what it cannot is undecided. Throws as `resolve` and `tessellate` do, and
-/// Error{invalid_argument} for a margin outside [0, 1) or a negative distance.
+/// Error{invalid_argument} for a margin outside [0, 1) or a negative distance. Tells the stages
+/// "certify parts", "certify meshes" and "certify clearances".
 [[nodiscard]] Certificate certify(const Assembly& assembly, const CertifyOptions& options = {});
 
 /// Where a part comes nearest to folding.

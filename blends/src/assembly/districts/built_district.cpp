@@ -364,20 +364,28 @@ class Builder {
         const Vec3& at = fluid.nearest_points()[fluid.triangles()[i][0]];
         throw Error(Errc::infeasible_blend,
                     "its surface lies inside of '" + bore + "' at " + decimal(at) + ": " +
-                        wall_advice(part->first, bore),
+                        wall_advice(part->first, bore, at),
                     std::string(part->first), document_place(assembly_, part->second));
       }
     }
   }
 
-  [[nodiscard]] std::string wall_advice(std::string_view part, std::string_view bore) const {
+  [[nodiscard]] std::string wall_advice(std::string_view part, std::string_view bore,
+                                        const Vec3& at) const {
     const std::string_view bored = bore.substr(0, bore.rfind(assembly::kBoreSuffix));
+    const bool is_made = std::ranges::any_of(assembly_.parts, [&](const Part& one) {
+      return one.name == bored && !one.component.name.empty();
+    });
     if (const auto end = end_called_as_part(bored); end && part == bored) {
-      return "the patch '" + *end + "' is called '" + assembly_.patches.at(*end) +
-             "' as its part is, so that no bore opens there, and no wall closes it; give it "
-             "another name";
+      return is_made ? "its end '" + *end +
+                           "' is to lie inside of what it branches off, and reaches out of that, "
+                           "where no bore opens and no wall closes it"
+                     : "the patch '" + *end + "' is called '" + assembly_.patches.at(*end) +
+                           "' as its part is, so that no bore opens there, and no wall closes it; "
+                           "give it another name";
     }
-    if (part == bored || are_neighbours(part, bored) || are_of_a_fillet(part, bored)) {
+    if (part == bored || are_of_a_fillet(part, bored) ||
+        (are_neighbours(part, bored) && !is_at_open_end(bored, at))) {
       return "meshes are too coarse there for the wall; choose a smaller tolerance, or a thicker "
              "wall";
     }
@@ -395,6 +403,19 @@ class Builder {
       }
     }
     return std::nullopt;
+  }
+
+  // Whether the place is where the part's bore goes out of it by an end that nothing is joined to.
+  [[nodiscard]] bool is_at_open_end(std::string_view name, const Vec3& at) const {
+    const auto part = std::ranges::find(resolved_.parts, name, &ResolvedPart::name);
+    return part != resolved_.parts.end() &&
+           std::ranges::any_of(std::array{End::start, End::end}, [&](End end) {
+             const Ring* ring = port_ring(part->shape, end);
+             const double reach = wall_of(*part);
+             return ring != nullptr && !part->joined.at(dupin::at(end)) &&
+                    std::abs((at - ring->center).dot(ring->normal)) <= reach &&
+                    (at - ring->center).norm() <= ring->radius + reach;
+           });
   }
 
   // Whether one of them is the fillet of the other.
@@ -433,9 +454,13 @@ class Builder {
     }
   }
 
+  [[nodiscard]] double wall_of(const ResolvedPart& part) const {
+    return assembly_.parts[part.index].wall.value_or(assembly_.wall.value_or(0));
+  }
+
   [[nodiscard]] double bore_area(const ResolvedPart& part, End end) const {
     const Ring* ring = port_ring(part.shape, end);
-    const double wall = assembly_.parts[part.index].wall.value_or(assembly_.wall.value_or(0));
+    const double wall = wall_of(part);
     return ring == nullptr ? 0 : std::numbers::pi * (ring->radius - wall) * (across(*ring) - wall);
   }
 
