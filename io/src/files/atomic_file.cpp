@@ -29,10 +29,19 @@ using files::Descriptor;
               {}, path.string());
 }
 
+/// The system reads names up to a NUL: what follows would be left out without a word.
+void require_whole_name(const fs::path& path) {
+  if (path.native().find('\0') != std::string::npos) {
+    throw Error(Errc::invalid_argument, "the name of a file cannot have a NUL in it", {},
+                path.string());
+  }
+}
+
 /// Bytes to read at once into memory that stays in the cache.
 constexpr std::size_t kPiece = std::size_t{1} << 18;
 
 Descriptor opened(const fs::path& path) {
+  require_whole_name(path);
   const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (number < 0) {
     fail("read the file", path, errno);
@@ -151,6 +160,7 @@ struct Target {
 };
 
 Target target_of(const fs::path& path) {
+  require_whole_name(path);
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) {

@@ -64,6 +64,18 @@ std::optional<std::uint32_t> first_lost(const Rounded& rounded, const std::strin
   return formats::first_difference(rounded.mesh(), format.read(bytes, std::string(file)));
 }
 
+// Readers of STL and the like make points in the same place one.
+void refuse_contacts(const Rounded& rounded, std::string_view file, const MeshFormat& format) {
+  if (!format.merges_points || rounded.contacts().empty()) {
+    return;
+  }
+  throw Error(Errc::contact,
+              "the solid touches itself, first at " + place_text(rounded.contacts().front().from) +
+                  ", and readers of " + std::string(format.name) +
+                  " would weld it there; write another format, or separate or bridge it before",
+              {}, std::string(file));
+}
+
 void require_same(const Rounded& rounded, const std::string& bytes, std::string_view file,
                   const MeshFormat& format) {
   if (const auto face = first_lost(rounded, bytes, file, format)) {
@@ -72,8 +84,7 @@ void require_same(const Rounded& rounded, const std::string& bytes, std::string_
                 "as " + std::string(format.name) + " this mesh is another one: triangle " +
                     std::to_string(*face) + " at " +
                     place_text(mesh.points[mesh.triangles[*face][0]]) +
-                    " does not come back as it is; round to the coordinates of the format, and "
-                    "write a format with indices where the solid touches itself",
+                    " does not come back as it is; round to the coordinates of the format",
                 {}, std::string(file));
   }
 }
@@ -106,6 +117,7 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh) {
 
 void write_verified(const std::filesystem::path& path, const Rounded& rounded,
                     const MeshFormat& format, const MeshHeader& header, const Progress& progress) {
+  refuse_contacts(rounded, path.string(), format);
   tell(progress, "write");
   Written written(path, rounded.mesh(), format, header);
   tell(progress, "verify");
@@ -115,6 +127,7 @@ void write_verified(const std::filesystem::path& path, const Rounded& rounded,
 
 std::string verified_bytes(std::string_view file, const Rounded& rounded, const MeshFormat& format,
                            const MeshHeader& header, const Progress& progress) {
+  refuse_contacts(rounded, file, format);
   tell(progress, "write");
   std::string bytes = mesh_bytes(rounded.mesh(), format, header);
   tell(progress, "verify");

@@ -60,6 +60,38 @@ std::string block_name(std::string_view rest, std::size_t block, bool more) {
   return name;
 }
 
+/// Whether a facet begins there, and no name that only has the word in it.
+bool is_at_facet(text::TextScanner at) { return at.take("facet") && at.take("normal"); }
+
+/// Takes the name behind "solid": the rest of the line, up to a facet where one is in it.
+std::string_view take_name(text::TextScanner& scanner) {
+  text::TextScanner behind = scanner;
+  const std::string_view line = behind.rest_of_line();
+  for (text::TextScanner at = scanner; !at.at_line_end(); (void)at.token()) {
+    if (is_at_facet(at)) {
+      scanner = at;
+      return line.substr(0, static_cast<std::size_t>(at.peek().data() - line.data()));
+    }
+  }
+  scanner = behind;
+  return line;
+}
+
+/// Takes the name behind "endsolid": the rest of the line, up to a solid where one is in it.
+void skip_name(text::TextScanner& scanner) {
+  text::TextScanner solid = scanner;
+  for (text::TextScanner at = scanner; !at.at_line_end(); (void)at.token()) {
+    if (is_at_facet(at)) {
+      scanner = solid;
+      return;
+    }
+    if (text::TextScanner next = at; next.take("solid")) {
+      solid = at;
+    }
+  }
+  (void)scanner.rest_of_line();
+}
+
 /// The points as text, one after the other, each printed once.
 class PointTexts {
  public:
@@ -91,7 +123,7 @@ TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
   std::size_t block = 0;
   do {
     demand(scanner, "solid");
-    const std::string_view rest = scanner.rest_of_line();
+    const std::string_view rest = take_name(scanner);
     ++block;
     const std::size_t first = mesh.triangles.size();
     for (scanner.skip_space(); scanner.take("facet"); scanner.skip_space()) {
@@ -100,7 +132,7 @@ TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
     if (!scanner.take("endsolid")) {
       scanner.fail("'facet' or 'endsolid'");
     }
-    (void)scanner.rest_of_line();
+    skip_name(scanner);
     const std::string name = block_name(rest, block, !scanner.at_end());
     if (!name.empty() && mesh.triangles.size() > first) {
       mesh.labels.resize(mesh.triangles.size(), labels.label(name));

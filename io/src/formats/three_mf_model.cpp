@@ -57,10 +57,20 @@ std::string_view required(const files::XmlAttributes& attributes, std::string_vi
   return *text;
 }
 
+/// Without the white space around it, of which XML Schema's numbers may have some.
+std::string_view collapsed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  return first == std::string_view::npos
+             ? std::string_view()
+             : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
 template <typename Number>
 Number number_in(std::string_view text, std::string_view name) {
   Number number{};
-  const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
+  const std::string_view bare = collapsed(text);
+  const std::string_view digits = bare.substr(bare.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   bool good = error == std::errc() && end == digits.data() + digits.size();
   std::string_view expected = "an integer of 32 bits";
@@ -117,7 +127,8 @@ struct Component {
 struct Object {
   std::uint32_t id = 0;
   std::string name;
-  std::optional<std::uint32_t> property_group;
+  bool has_name = true;
+  std::optional<std::uint32_t> property_group, property_index;
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> labels;  ///< per triangle, into the names of the model
@@ -255,6 +266,7 @@ class ModelReader {
     object_->id = id;
     object_->name = text::clean_line(attributes.find("name").value_or(""));
     object_->property_group = optional_id(attributes, "pid");
+    object_->property_index = optional_id(attributes, "pindex");
     if (attributes.find(kResolution) == "lowres") {
       fail(
           "found a mesh of low resolution beside slices, which are not read, expected one of full "
@@ -262,7 +274,8 @@ class ModelReader {
     }
     const bool other = attributes.find("type").value_or("model") != "model";
     labels_.named = labels_.named || (!object_->name.empty() && !other);
-    if (object_->name.empty()) {
+    object_->has_name = !object_->name.empty();
+    if (!object_->has_name) {
       object_->name = "object " + std::to_string(id);
     }
   }
@@ -296,16 +309,20 @@ class ModelReader {
     ++object.weight;
   }
 
+  /// The material of the triangle's own, or of an object without a name; else that name.
   std::uint32_t label_of(const Object& object, const files::XmlAttributes& attributes) {
-    const auto index = optional_id(attributes, "p1");
+    const auto own_index = optional_id(attributes, "p1");
     const auto own_group = optional_id(attributes, "pid");
     const auto group = own_group ? own_group : object.property_group;
+    const auto index =
+        own_index || own_group || object.has_name ? own_index : object.property_index;
     if (index && group) {
       const auto found = materials_.find(*group);
       if (found != materials_.end()) {
         if (*index >= found->second.size()) {
-          fail("found " + std::to_string(*index) + " as 'p1', expected the index of one of the " +
-               std::to_string(found->second.size()) + " base materials");
+          fail("found " + std::to_string(*index) + " as '" + (own_index ? "p1" : "pindex") +
+               "', expected the index of one of the " + std::to_string(found->second.size()) +
+               " base materials");
         }
         labels_.named = true;
         return labels_.builder.label(found->second[*index]);

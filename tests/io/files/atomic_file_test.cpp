@@ -163,6 +163,23 @@ TEST_F(AtomicFile, says_why_the_system_refused) {
             "/dev/full: cannot write the file: No space left on device");
 }
 
+TEST_F(AtomicFile, names_end_at_no_nul) {
+  const std::string cut = path("a").string(), whole = cut + '\0' + "b";
+  write_file(cut, "old");
+  const auto refusal = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const Error& error) {
+      return error.code() == Errc::invalid_argument ? error.message() : "another error";
+    }
+    return "no error";
+  };
+  const std::string fault = "the name of a file cannot have a NUL in it";
+  EXPECT_EQ(refusal([&] { (void)read_file(whole); }), fault);
+  EXPECT_EQ(refusal([&] { write_file(whole, "new"); }), fault);
+  EXPECT_EQ(read_file(cut), "old");
+}
+
 TEST_F(AtomicFile, grows_and_changes_until_it_takes_its_place) {
   write_file(path("a"), "old");
   AsideFile file(path("a"));

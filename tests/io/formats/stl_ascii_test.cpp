@@ -1,13 +1,16 @@
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
 #include "io/formats/first_use.h"
 #include "support/malformed.h"
 #include "support/sample_meshes.h"
@@ -78,6 +81,24 @@ TEST(Stl, ascii_blocks_of_one_name_are_one_label) {
   const TriMesh mesh = read_stl_ascii(block + block, "x.stl");
   EXPECT_EQ(mesh.names, std::vector<std::string>{"a"});
   EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{0, 0}));
+}
+
+TEST(Stl, ascii_may_be_of_one_line) {
+  std::string facet = kFacet;
+  std::ranges::replace(facet, '\n', ' ');
+  const std::string solid = "solid the facet A " + facet + facet + "endsolid the facet A ";
+  for (const auto& [text, names, triangles] :
+       {std::tuple(solid, std::vector<std::string>{"the facet A"}, 2),
+        {solid + "solid b " + facet + "endsolid b", {"the facet A", "b"}, 3},
+        {solid + "solid " + facet + "endsolid\nsolid c\n" + kFacet + "endsolid c\n",
+         {"the facet A", "solid 2", "c"},
+         4},
+        {"solid " + facet + "endsolid", {}, 1}}) {
+    const TriMesh mesh = read_stl_ascii(text, "x.stl");
+    EXPECT_EQ(mesh.names, names) << text;
+    EXPECT_EQ(mesh.triangles.size(), triangles) << text;
+  }
+  EXPECT_THROW((void)read_stl_ascii(solid + facet, "x.stl"), Error) << "a facet of no solid";
 }
 
 TEST(Stl, ascii_normals_may_be_no_numbers) {

@@ -75,6 +75,44 @@ TEST(ThreeMf, a_turning_transform_follows_the_row_vector_convention) {
   EXPECT_EQ(mesh.points[2], Vec3(-1, 0, 0));
 }
 
+TEST(ThreeMf, numbers_may_have_space_around_them) {
+  std::string mesh = kMesh;
+  mesh.replace(mesh.find("x=\"1\""), 5, "x=\" \n+2.0\t\"");
+  mesh.replace(mesh.find("v2=\"1\""), 6, "v2=\" 1 \"");
+  EXPECT_EQ(
+      read_model(model("<object id=\" 1\">" + mesh, "<item objectid=\"1 \"/>"), "m").points[1],
+      Vec3(2, 0, 0));
+  mesh.replace(mesh.find("+2.0"), 4, "2 0 ");
+  EXPECT_THROW((void)read_model(model("<object id=\"1\">" + mesh, "<item objectid=\"1\"/>"), "m"),
+               Error);
+}
+
+TEST(ThreeMf, objects_without_a_name_are_called_by_their_material) {
+  const std::string materials =
+      "<basematerials id=\"5\"><base name=\"red\" displaycolor=\"#FF0000\"/>"
+      "<base name=\"blue\" displaycolor=\"#0000FF\"/></basematerials>";
+  const auto names = [&](const std::string& object, const std::string& mesh = kMesh) {
+    return read_model(model(materials + "<object id=\"1\" " + object + ">" + mesh,
+                            "<item objectid=\"1\"/>"),
+                      "m")
+        .names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names("pid=\"5\" pindex=\"1\""), Names{"blue"});
+  EXPECT_EQ(names("name=\"box\" pid=\"5\" pindex=\"1\""), Names{"box"});
+  EXPECT_EQ(names("pid=\"5\""), Names{});
+  std::string own = kMesh;
+  own.replace(own.find("v3=\"2\""), 6, "v3=\"2\" p1=\"0\"");
+  EXPECT_EQ(names("pid=\"5\" pindex=\"1\"", own), Names{"red"});
+  EXPECT_EQ(message_of([&] {
+              return read_model(
+                  model(materials + "<object id=\"1\" pid=\"5\" pindex=\"2\">" + kMesh,
+                        "<item objectid=\"1\"/>"),
+                  "m");
+            }).find("found 2 as 'pindex'") == std::string::npos,
+            false);
+}
+
 TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
   const auto object = [](const std::string& inside) {
     return model("<object id=\"1\"><mesh>" + inside + "</mesh></object>", "");
@@ -109,8 +147,8 @@ TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
            "m:2: found '1e999' as 'x', expected a number in the range of doubles"},
           {object("<vertex x=\"1e-999\" y=\"0\" z=\"0\"/>"),
            "m:2: found '1e-999' as 'x', expected a number in the range of doubles"},
-          {object("<vertex x=\"0 \" y=\"0\" z=\"0\"/>"),
-           "m:2: found '0 ' as 'x', expected a finite number"},
+          {object("<vertex x=\"0 0\" y=\"0\" z=\"0\"/>"),
+           "m:2: found '0 0' as 'x', expected a finite number"},
           {object(vertex + "<triangle v1=\"0\" v2=\"0\"/>"),
            "m:2: found no attribute 'v3', expected one"},
           {object(vertex + "<triangle v1=\"0\" v2=\"0\" v3=\"1\"/>"),

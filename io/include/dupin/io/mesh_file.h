@@ -67,8 +67,8 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh);
 
 /// The same promise for a mesh that rounding has proved, at the cost of reading it back: the file
 /// must give the very same numbers and neighbours, for which the proof then holds. Throws
-/// Error{unroundable} naming the first triangle that differs: the format holds coarser numbers than
-/// the solid was rounded to, or its readers weld what only touches (contacts).
+/// Error{unroundable} naming the first triangle that differs, as the format holds coarser numbers
+/// than the solid was rounded to, and Error{contact} where readers weld what only touches.
 void write_verified(const std::filesystem::path& path, const Rounded& rounded,
                     const MeshFormat& format, const MeshHeader& header = {},
                     const Progress& progress = {});
