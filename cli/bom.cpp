@@ -149,18 +149,6 @@ void print_bill(const BillReport& report) {
   print_sum(report);
 }
 
-// The component that each part is of.
-std::vector<BillOrigin> origins(const Assembly& assembly) {
-  std::vector<BillOrigin> result;
-  result.reserve(assembly.parts.size());
-  bool is_any = false;
-  for (const Part& part : assembly.parts) {
-    result.push_back({part.component.name, part.component.kind, part.component.line});
-    is_any = is_any || !part.component.name.empty();
-  }
-  return is_any ? result : std::vector<BillOrigin>();
-}
-
 void refuse_contradictions(const BomArguments& arguments, const CommonOptions& common) {
   if (!arguments.mesh) {
     refuse_tolerance("bom", common, "--mesh --tolerance");
@@ -177,7 +165,7 @@ MeshVolumes mesh_volumes(Document& document, const CommonOptions& common) {
   options.tolerance = tolerance;
   ProgressLine line(common.quiet);
   options.progress = line.callback();
-  const Built built = build_document(document, options);
+  const Built built = build(document, options);
   const double whole = built.solid.volume();
   return {tolerance, built.volumes.value_or(RegionVolumes{whole, whole, 0})};
 }
@@ -187,12 +175,11 @@ ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
   Document document = read_document(arguments.file, arguments.source, arguments.walls);
   // Told to keep going, a build leaves out parts that the bill then does not have either.
   const auto mesh = arguments.mesh ? std::optional(mesh_volumes(document, common)) : std::nullopt;
-  BillReport report{bill_of_materials(document.assembly), {}, origins(document.assembly), mesh};
+  BillReport report = bill_report(document);
+  report.mesh = mesh;
   if (arguments.density > 0) {
     report.density = arguments.density;
   }
-  report.source.graph = std::move(document.network);
-  report.source.piping = std::move(document.piping);
   if (common.json) {
     std::cout << to_json(report) << '\n';
   } else if (arguments.csv) {

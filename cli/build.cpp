@@ -236,7 +236,7 @@ bool is_plain(const Document& document) { return !document.network && !document.
 std::optional<Built> build_undivided(Document& document, const BuildOptions& options) {
   if (options.most_of_piece == 0 ||
       (!is_plain(document) && document.assembly.parts.size() < kManyParts)) {
-    return build_document(document, options);
+    return build(document, options);
   }
   try {
     const DistrictBuild plan(document.assembly, options);
@@ -252,8 +252,8 @@ std::optional<Built> build_undivided(Document& document, const BuildOptions& opt
       throw;
     }
   }
-  return build_document(document, options);  // which knows the lines of a file, and does without
-                                             // fillets that were not asked for
+  return build(document, options);  // which knows the lines of a file, and does without
+                                    // fillets that were not asked for
 }
 
 // The solid built and written, whole or in tiles.
@@ -277,7 +277,7 @@ Built build_and_write(Document& document, const BuildOptions& options,
       if (is_plain(document)) {
         throw;
       }
-      built = build_document(document, options);  // as above
+      built = build(document, options);  // as above
     }
   }
   write_built(*built, document, options, arguments, report, written);

@@ -18,6 +18,7 @@
 #include "input.h"
 #include "length.h"
 #include "output.h"
+#include "progress_line.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -213,8 +214,11 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
   const Input input = read_input(arguments.file);
   Assembly assembly = read_document(input, arguments.source).assembly;
   assembly.tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
-  Certificate certificate =
-      certify(assembly, {.margin = arguments.margin, .most_triangles = arguments.most_triangles});
+  std::optional<ProgressLine> line(common.quiet);
+  Certificate certificate = certify(assembly, {.margin = arguments.margin,
+                                               .most_triangles = arguments.most_triangles,
+                                               .progress = line->callback()});
+  line.reset();
   certificate.document_sha256 = sha256(input.bytes);
   write_text(arguments.output, certificate_json(certificate));
   print_summary(report_stream(arguments.output), certificate, common);
@@ -235,7 +239,11 @@ ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& commo
     require_about(certificate, about.bytes, read_document(about, arguments.source).assembly);
     certificate.document = about.name;
   }
-  verify(certificate);
+  {
+    ProgressLine line(common.quiet);
+    tell(line.callback(), "verify");
+    verify(certificate);
+  }
   print_summary(std::cout, certificate, common);
   return verdict_on(certificate);
 }

@@ -15,6 +15,7 @@
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
+#include "progress_line.h"
 #include "report_text.h"
 #include "tiles/tile_options.h"
 
@@ -49,11 +50,23 @@ Report checked_in_tiles(const std::string& file, const TileArguments& tiles) {
   }
 }
 
+Report checked(const std::string& file, const TileArguments& tiles, const CommonOptions& common) {
+  ProgressLine line(common.quiet);
+  const Progress progress = line.callback();
+  if (is_tiled(tiles)) {
+    tell(progress, "check");
+    return checked_in_tiles(file, tiles);
+  }
+  tell(progress, "read");
+  const TriMesh mesh = read_mesh_input(file);
+  tell(progress, "check");
+  return check(mesh);
+}
+
 ExitCode run_check(const std::string& file, const TileArguments& tiles,
                    const CommonOptions& common) {
   refuse_tolerance("check", common);
-  const Report report =
-      is_tiled(tiles) ? checked_in_tiles(file, tiles) : check(read_mesh_input(file));
+  const Report report = checked(file, tiles, common);
   if (common.json) {
     std::cout << to_json(report) << '\n';
   } else if (!common.quiet) {

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "dupin/kernel/error.h"
+#include "interrupt.h"
 
 namespace dupin::cli {
 namespace {
@@ -73,6 +74,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, bool captu
     ::execv("/proc/self/exe", words.data());
     ::_exit(127);
   }
+  end_before(id_);
 }
 
 ChildProcess::~ChildProcess() {
@@ -86,6 +88,7 @@ ChildProcess::~ChildProcess() {
 
 ChildResult ChildProcess::finished(int status) {
   ended_ = true;
+  forget_child(id_);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           out_ < 0 ? "" : text_in(out_), err_ < 0 ? "" : text_in(err_)};
 }

@@ -1,13 +1,11 @@
 #include "contact_options.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include <utility>
 
 #include <CLI/App.hpp>
 
 #include "dupin/kernel/contacts.h"
-#include "dupin/kernel/error.h"
+#include "dupin/kernel/rounding.h"
 #include "exit_code.h"
 #include "length.h"
 
@@ -54,50 +52,13 @@ Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& repo
   return settled.solid;
 }
 
-namespace {
-
-// By as few spacings of the numbers as it takes; none where none does.
-std::optional<Rounded> separated_and_rounded(const Solid& solid, Coordinates coordinates,
-                                             const RoundingOptions& options, OutputReport& report) {
-  constexpr double kMost = 64;
-  double largest = 0;
-  for (const Vec3& point : solid.nearest_points()) {
-    largest = std::max(largest, point.cwiseAbs().maxCoeff());
-  }
-  // separate() asks for more than 2^-32 of the largest coordinate.
-  const int digits = coordinates == Coordinates::binary32 ? 23 : 31;
-  const double spacing = std::ldexp(1.0, std::ilogb(largest) - digits);
-  for (double length = spacing; length <= kMost * spacing; length *= 2) {
-    try {
-      Settled settled = separate(solid, length);
-      Rounded rounded = to_mesh(settled.solid, coordinates, options);
-      if (rounded.contacts().empty()) {
-        report.settled = {"separate", length, std::move(settled.contacts)};
-        return rounded;
-      }
-    } catch (const Error& error) {
-      if (error.code() != Errc::contact && error.code() != Errc::unroundable) {
-        throw;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,
                       OutputReport& report) {
-  if (!solid.contacts().empty()) {
-    if (auto rounded = separated_and_rounded(solid, coordinates, options, report)) {
-      return *std::move(rounded);
-    }
+  RoundedApart apart = dupin::rounded_apart(solid, coordinates, options);
+  if (!apart.contacts.empty()) {
+    report.settled = {"separate", apart.length, std::move(apart.contacts)};
   }
-  Rounded rounded = parted(to_mesh(solid, coordinates, options), options);
-  if (!rounded.report().parted.empty()) {
-    report.settled = {"separate", rounded.report().parted_by, rounded.report().parted};
-  }
-  return rounded;
+  return std::move(apart.rounded);
 }
 
 }  // namespace dupin::cli

@@ -10,8 +10,6 @@
 #include <CLI/Validators.hpp>
 
 #include "argument_checks.h"
-#include "dupin/blends/resolve.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/graph_file.h"
 #include "dupin/io/pcf.h"
 #include "exit_code.h"
@@ -21,51 +19,59 @@
 namespace dupin::cli {
 namespace {
 
-// Ends of a piping file that are measured as a pair, in millimetres.
-constexpr double kConnectPiping = 1;
-
 BoreMeaning bore_meaning(const std::string& typed) {
   return typed == "outside"   ? BoreMeaning::outside
          : typed == "nominal" ? BoreMeaning::nominal
                               : BoreMeaning::automatic;
 }
 
-Document read_piping(const Input& input, const SourceArguments& arguments, const std::string& wall,
-                     const Progress& progress) {
-  if (!arguments.radius.empty() || !arguments.unit.empty()) {
-    throw UsageError("--radius and --unit are for graphs, files named .swc or .graph");
-  }
-  PipingOptions options;
-  options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
-  options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
-  options.keep_going = arguments.keep_going;
-  options.progress = progress;
-  if (!arguments.fillet.empty()) {
-    options.fillet =
-        arguments.fillet == "auto" ? 0 : length_in(Unit::millimetre, arguments.fillet, 0);
-  }
-  if (!wall.empty()) {
-    options.wall = length_in(Unit::millimetre, wall, 0);
-  }
-  PcfReport report;
-  report.snap = options.snap;
-  report.bridge = options.bridge;
-  report.is_strict = arguments.strict;
-  report.file = parse_pcf(input.bytes, input.name, bore_meaning(arguments.bore));
-  if (!arguments.schedule.empty()) {
-    if (!wall.empty()) {
+// Only what it is for may be given.
+void refuse_foreign(const SourceArguments& arguments, const std::string& wall, DocumentKind kind) {
+  const bool is_of_graph = !arguments.radius.empty() || !arguments.unit.empty();
+  if (kind == DocumentKind::piping) {
+    if (is_of_graph) {
+      throw UsageError("--radius and --unit are for graphs, files named .swc or .graph");
+    }
+    if (!arguments.schedule.empty() && !wall.empty()) {
       throw UsageError("--schedule and --wall both say how thick walls are; give one of them");
     }
-    give_walls(report.file, arguments.schedule);
+    return;
   }
-  PipingLine line = std::exchange(report.file.line, {});
-  report.network = assembly_of(line, options);
-  Assembly assembly = std::exchange(report.network.assembly, {});
-  Document document{std::move(assembly)};
-  document.piping = std::move(report);
-  document.line = std::move(line);
-  document.piping_options = std::move(options);
-  return document;
+  if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
+      !arguments.schedule.empty() || !arguments.fillet.empty() || arguments.strict) {
+    throw UsageError(
+        "--snap, --bridge, --bore, --schedule, --fillet and --strict are for piping files, named "
+        ".pcf");
+  }
+  if (kind == DocumentKind::assembly && (is_of_graph || arguments.keep_going)) {
+    throw UsageError(
+        "--radius, --unit and --keep-going are for graphs, files named .swc or .graph, and "
+        "--keep-going for piping files, named .pcf");
+  }
+}
+
+// None for an empty text.
+std::optional<double> length_if_given(Unit unit, const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(length_in(unit, text, 0));
+}
+
+SourceOptions source_options(const SourceArguments& arguments, const std::string& wall,
+                             DocumentKind kind) {
+  SourceOptions options;
+  options.unit = unit_called(arguments.unit).value_or(Unit::millimetre);
+  options.radius = length_if_given(options.unit, arguments.radius);
+  options.snap = length_if_given(Unit::millimetre, arguments.snap);
+  options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
+  options.bores = bore_meaning(arguments.bore);
+  options.schedule = arguments.schedule;
+  options.fillet = arguments.fillet == "auto" ? std::optional(0.0)
+                                              : length_if_given(Unit::millimetre, arguments.fillet);
+  if (kind == DocumentKind::piping) {
+    options.wall = length_if_given(Unit::millimetre, wall);
+  }
+  options.keep_going = arguments.keep_going;
+  options.is_strict = arguments.strict;
+  return options;
 }
 
 void add_piping_options(CLI::App& command, SourceArguments& arguments) {
@@ -116,45 +122,6 @@ std::vector<std::string> meshes_avoided_by(const PartShape& shape) {
   return files;
 }
 
-// Without the wall, but of a piping file.
-Document document_of(const Input& input, const SourceArguments& arguments, const std::string& wall,
-                     const Progress& progress) {
-  tell(progress, "read");
-  if (is_piping(input)) {
-    return read_piping(input, arguments, wall, progress);
-  }
-  if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
-      !arguments.schedule.empty() || !arguments.fillet.empty() || arguments.strict) {
-    throw UsageError(
-        "--snap, --bridge, --bore, --schedule, --fillet and --strict are for piping files, named "
-        ".pcf");
-  }
-  if (!is_graph(input)) {
-    if (!arguments.radius.empty() || !arguments.unit.empty() || arguments.keep_going) {
-      throw UsageError(
-          "--radius, --unit and --keep-going are for graphs, files named .swc or .graph, and "
-          "--keep-going for piping files, named .pcf");
-    }
-    AssemblyDocument parsed = parse_document(input.bytes, input.name);
-    Document document{std::move(parsed.assembly)};
-    document.colours = std::move(parsed.colours);
-    return document;
-  }
-  PipeGraphOptions options;
-  options.keep_going = arguments.keep_going;
-  options.unit = unit_called(arguments.unit).value_or(Unit::millimetre);
-  if (!arguments.radius.empty()) {
-    options.radius = length_in(options.unit, arguments.radius, 0);
-  }
-  std::vector<SourceNote> notes;
-  PipeGraph graph =
-      parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
-  graph.notes = std::move(notes);
-  PipeNetwork network = assembly_of(graph, options);
-  return {std::exchange(network.assembly, {}), std::move(network), std::move(graph),
-          std::move(options)};
-}
-
 }  // namespace
 
 void require_meshes_not_written(const Assembly& assembly) {
@@ -170,51 +137,17 @@ Assembly read_document(const std::string& path) {
   return read_document(path, SourceArguments{}).assembly;
 }
 
-bool is_graph(const Input& input) {
-  const bool has_name = input.name != kStandardInput;
-  return is_graph_file(input.name) || (!has_name && is_graph_text(input.bytes));
-}
-
-bool is_piping(const Input& input) {
-  return is_pcf_file(input.name) || (input.name == kStandardInput && is_pcf_text(input.bytes));
-}
-
-bool is_source(const Input& input) { return is_graph(input) || is_piping(input); }
-
-Built build_document(Document& document, const BuildOptions& options) {
-  if (document.network) {
-    PipeNetwork network = std::move(*document.network);
-    network.assembly = std::exchange(document.assembly, {});
-    Built built = build(document.graph, document.graph_options, network, options);
-    document.assembly = std::exchange(network.assembly, {});
-    document.network = std::move(network);
-    return built;
+DocumentKind kind_of(const Input& input) {
+  const DocumentKind kind = document_kind(input.name);
+  if (kind != DocumentKind::assembly || input.name != kStandardInput) {
+    return kind;
   }
-  if (!document.piping) {
-    return build(document.assembly, options);
-  }
-  PipingNetwork& network = document.piping->network;
-  network.assembly = std::exchange(document.assembly, {});
-  Built built = build(document.line, document.piping_options, network, options);
-  document.assembly = std::exchange(network.assembly, {});
-  return built;
+  return is_pcf_text(input.bytes)     ? DocumentKind::piping
+         : is_graph_text(input.bytes) ? DocumentKind::graph
+                                      : DocumentKind::assembly;
 }
 
-void take(BuildReport& report, Built&& built, Document& document, double connect) {
-  const Assembly& assembly = document.assembly;
-  report.graph = document.network;
-  report.piping = std::move(document.piping);
-  report.gaps = {assembly.source, assembly.unit, connect, std::move(built.ports),
-                 std::move(built.gaps)};
-  report.output.cross_check = std::move(built.cross_check);
-  report.parts = std::move(built.parts);
-  report.runs = built.runs;
-  report.pieces = built.pieces;
-  report.grid = built.grid;
-  report.region = built.region;
-  report.volumes = built.volumes;
-  report.insulation = built.insulation;
-}
+bool is_source(const Input& input) { return kind_of(input) != DocumentKind::assembly; }
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
                        const WallArguments& walls, const Progress& progress) {
@@ -223,7 +156,12 @@ Document read_document(const std::string& path, const SourceArguments& arguments
 
 Document read_document(const Input& input, const SourceArguments& arguments,
                        const WallArguments& walls, const Progress& progress) {
-  Document document = document_of(input, arguments, walls.wall, progress);
+  const DocumentKind kind = kind_of(input);
+  refuse_foreign(arguments, walls.wall, kind);
+  SourceOptions options = source_options(arguments, walls.wall, kind);
+  options.progress = progress;
+  tell(progress, "read");
+  Document document = document_of(input.bytes, input.name, kind, options);
   require_meshes_not_written(document.assembly);
   const auto apply = [&](Assembly& assembly) {
     if (!walls.wall.empty()) {
@@ -328,23 +266,14 @@ void add_triangles_option(CLI::App& command, std::size_t& most_triangles) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
 }
 
-GapSummary measure_piping(const Input& input, const std::string& bore, const std::string& connect) {
-  GapSummary summary;
-  summary.file = input.name;
-  summary.connect = length_in(Unit::millimetre, connect, kConnectPiping);
-  summary.ports = ports(parse_pcf(input.bytes, input.name, bore_meaning(bore)).line);
-  summary.pairs = pair_ends(summary.ports, summary.connect);
-  return summary;
-}
-
-GapSummary measure_document(const Assembly& assembly, const std::string& connect) {
-  GapSummary summary;
-  summary.file = assembly.source;
-  summary.unit = assembly.unit;
-  summary.connect = length_in(assembly.unit, connect, assembly.tolerance);
-  summary.ports = ports(resolve(assembly));
-  summary.pairs = pair_ends(summary.ports, summary.connect);
-  return summary;
+GapSummary measure_ends(const Input& input, const SourceArguments& arguments,
+                        const std::string& connect) {
+  if (kind_of(input) == DocumentKind::piping) {
+    return piping_gap_summary(input.bytes, input.name, bore_meaning(arguments.bore),
+                              length_if_given(Unit::millimetre, connect));
+  }
+  const Assembly assembly = read_document(input, arguments).assembly;
+  return gap_summary(assembly, length_if_given(assembly.unit, connect));
 }
 
 }  // namespace dupin::cli

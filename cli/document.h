@@ -1,16 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
-#include "dupin/blends/pipe_graph.h"
-#include "dupin/blends/piping_line.h"
-#include "dupin/io/report_json.h"
+#include "dupin/io/document.h"
 #include "input.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -40,18 +37,6 @@ struct WallArguments {
   [[nodiscard]] bool empty() const { return wall.empty() && side.empty() && insulation.empty(); }
 };
 
-/// An assembly, or a graph or piping file made into one, from a file or standard input.
-struct Document {
-  Assembly assembly;
-  std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
-  PipeGraph graph = {};                     ///< and what it was made into one with
-  PipeGraphOptions graph_options = {};
-  std::optional<PcfReport> piping = {};
-  PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
-  PipingOptions piping_options = {};
-  std::map<std::string, std::string> colours = {};  ///< of parts, as the document has them
-};
-
 /// The file is a graph or a piping file if its extension says so; what comes from standard input is
 /// one if it looks like one.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
@@ -65,18 +50,10 @@ struct Document {
 /// it. Throws UsageError.
 void require_meshes_not_written(const Assembly& assembly);
 
+/// As the extension says, or of standard input what it looks like.
+[[nodiscard]] DocumentKind kind_of(const Input& input);
 /// Whether it is a graph or a piping file.
 [[nodiscard]] bool is_source(const Input& input);
-[[nodiscard]] bool is_graph(const Input& input);
-[[nodiscard]] bool is_piping(const Input& input);
-
-/// Builds the assembly, where told to keep going without components of a piping file, or nodes and
-/// edges of a graph, whose parts are refused.
-[[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
-
-/// What reports say of a build, beside what became of its solid, which is taken elsewhere before.
-/// The document's notes on its piping go along.
-void take(BuildReport& report, Built&& built, Document& document, double connect);
 
 /// Adds --wall, --wall-side and --insulation.
 void add_wall_options(CLI::App& command, WallArguments& walls);
@@ -102,12 +79,9 @@ void add_triangles_option(CLI::App& command, std::size_t& most_triangles);
 /// Adds --bore.
 void add_bore_option(CLI::App& command, std::string& bore);
 
-/// Pairs and measures the ends of a piping file's components as the file has them.
-[[nodiscard]] GapSummary measure_piping(const Input& input, const std::string& bore,
-                                        const std::string& connect);
-
-/// Pairs and measures all ends of the parts. `connect` is a length as typed; empty stands for the
-/// document's tolerance.
-[[nodiscard]] GapSummary measure_document(const Assembly& assembly, const std::string& connect);
+/// Pairs and measures all ends of the parts, or those of a piping file as the file has them.
+/// `connect` is a length as typed, and may be empty.
+[[nodiscard]] GapSummary measure_ends(const Input& input, const SourceArguments& arguments,
+                                      const std::string& connect);
 
 }  // namespace dupin::cli

@@ -145,7 +145,7 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
     ProgressLine line(common.quiet);
     BuildOptions build = build_options(document.assembly, arguments, common);
     build.progress = line.callback();
-    const Built built = build_document(document, build);
+    const Built built = dupin::build(document, build);
     tell(build.progress, "draw");
     drawing = draw(document.assembly, built, options);
     scale = typed_scale.value_or(fitting_scale(drawing));

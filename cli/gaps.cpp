@@ -62,13 +62,8 @@ MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::strin
 ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
   const std::vector<Input> inputs = read_inputs(arguments.files);
-  if (inputs.size() == 1 && is_piping(inputs.front())) {
-    return print_summary(measure_piping(inputs.front(), arguments.source.bore, arguments.connect),
-                         common, print_gaps);
-  }
-  if (inputs.size() == 1 && (inputs.front().is_document() || is_graph(inputs.front()))) {
-    const Document document = read_document(inputs.front(), arguments.source);
-    return print_summary(measure_document(document.assembly, arguments.connect), common,
+  if (inputs.size() == 1 && (inputs.front().is_document() || is_source(inputs.front()))) {
+    return print_summary(measure_ends(inputs.front(), arguments.source, arguments.connect), common,
                          print_gaps);
   }
   return print_summary(measure_meshes(inputs, arguments.connect), common, print_mesh_gaps);

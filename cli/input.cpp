@@ -106,12 +106,12 @@ Solid solid_of(const TriMesh& mesh, const std::string& name) {
   return blaming(name, [&] { return Solid::from(mesh); });
 }
 
-Repaired repaired_solid_of(const Input& input) {
-  return repaired_solid_of(read_mesh(input.bytes, input.name), input.name);
+Repaired repaired_solid_of(const Input& input, const Progress& progress) {
+  return repaired_solid_of(read_mesh(input.bytes, input.name), input.name, progress);
 }
 
-Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name) {
-  return blaming(name, [&] { return repair(mesh); });
+Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name, const Progress& progress) {
+  return blaming(name, [&] { return repair(mesh, progress); });
 }
 
 Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,

@@ -54,8 +54,9 @@ struct StatedUnit {
 [[nodiscard]] Solid solid_of(const Input& input);
 [[nodiscard]] Solid solid_of(const TriMesh& mesh, const std::string& name);
 /// Repairs it first. Throws Error naming the file as its part when that is not possible.
-[[nodiscard]] Repaired repaired_solid_of(const Input& input);
-[[nodiscard]] Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name);
+[[nodiscard]] Repaired repaired_solid_of(const Input& input, const Progress& progress = {});
+[[nodiscard]] Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name,
+                                         const Progress& progress = {});
 
 /// The operand of a set operation: repaired where that is asked for, and then `report` says how.
 [[nodiscard]] Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,

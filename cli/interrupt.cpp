@@ -1,9 +1,12 @@
 #include "interrupt.h"
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <initializer_list>
+#include <string_view>
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "dupin/io/atomic_file.h"
@@ -16,16 +19,39 @@ namespace {
 constinit std::atomic<bool> was_interrupted = false;
 constinit std::atomic<bool> lost_reader = false;
 constinit std::atomic<bool> is_silent = false;
+constinit std::atomic<const std::string*> the_words = nullptr;  // never destroyed
+constinit std::array<std::atomic<pid_t>, 256> the_children{};
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<const std::string*>::is_always_lock_free);
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 // What follows calls only what POSIX allows in a handler. All other signals wait in its thread.
 
+void end_children() {
+  for (const std::atomic<pid_t>& child : the_children) {
+    if (child > 0) {
+      ::kill(child, SIGTERM);
+    }
+  }
+  for (const std::atomic<pid_t>& child : the_children) {
+    if (child > 0) {
+      ::waitpid(child, nullptr, 0);
+    }
+  }
+}
+
+void say_interrupted() {
+  constexpr std::string_view kMessage = "dupin: interrupted\n";
+  const std::string* const told = the_words;
+  const std::string_view words = told != nullptr ? std::string_view(*told) : kMessage;
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, words.data(), words.size());
+}
+
 void on_interrupt(int) {
   if (abandon_files()) {
-    constexpr char kMessage[] = "dupin: interrupted\n";
+    end_children();
     if (!is_silent) {
-      [[maybe_unused]] const ssize_t ignored =
-          ::write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+      say_interrupted();
     }
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }
@@ -78,6 +104,26 @@ void end_on_signals() {
       action.sa_handler = handler;
       ::sigfillset(&action.sa_mask);
       ::sigaction(number, &action, nullptr);
+    }
+  }
+}
+
+void say_on_interrupt(const std::string& text) { delete the_words.exchange(new std::string(text)); }
+
+void end_before(pid_t child) {
+  for (std::atomic<pid_t>& place : the_children) {
+    pid_t none = 0;
+    if (place.compare_exchange_strong(none, child)) {
+      return;
+    }
+  }
+}
+
+void forget_child(pid_t child) {
+  for (std::atomic<pid_t>& place : the_children) {
+    pid_t held = child;
+    if (place.compare_exchange_strong(held, 0)) {
+      return;
     }
   }
 }

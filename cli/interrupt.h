@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include <sys/types.h>
+
 namespace dupin::cli {
 
 /// From now on a signal that would end the program ends it with exit code 130 and leaves no file
@@ -8,6 +12,15 @@ namespace dupin::cli {
 /// is missing is the report. Too large a file (SIGXFSZ) is an error of writing. A signal that was
 /// ignored, or has a handler, stays so.
 void end_on_signals();
+
+/// What it then says on standard error, "dupin: interrupted" if not told; for programs, as JSON.
+void say_on_interrupt(const std::string& text);
+
+/// The process with this id, and all that it starts, ends before this one, which asks it to and
+/// waits, where a signal ends this one. Of a few hundred at once; others end soon after.
+void end_before(pid_t child);
+/// It has ended.
+void forget_child(pid_t child);
 
 /// It then says nothing on the way, for a process of several, one of which says why they end.
 void end_without_words();

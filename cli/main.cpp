@@ -83,6 +83,12 @@ void refuse_mpirun(const std::string& command) {
 }
 
 int perform(const Action& action, const CLI::App& command, const CommonOptions& common) {
+  if (common.json) {
+    constexpr auto kCode = ExitCode::interrupted;
+    say_on_interrupt(
+        error_json(Error(Errc::cancelled, "interrupted"), "interrupted", static_cast<int>(kCode)) +
+        "\n");
+  }
   try {
     if (command.get_name() != "build" && command.get_name() != "union") {
       refuse_mpirun(command.get_name());

@@ -109,7 +109,8 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
 }
 
 /// STL has no vertices, only corners: readers weld those that coincide.
-void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to) {
+void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to,
+                     const ContactChoice& choice) {
   if (!to.format.merges_points || contacts.empty()) {
     return;
   }
@@ -121,8 +122,10 @@ void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to
   throw Error(Errc::contact,
               "the solid touches itself in " + counted(contacts.size(), "place") + ", at" + places +
                   (contacts.size() > kTold ? ", ..." : "") +
-                  ", and readers of STL would weld it there; write another format, or see "
-                  "--contacts separate=LENGTH and bridge=LENGTH",
+                  ", and readers of STL would weld it there; write another format, or " +
+                  (choice.length > 0 ? "give --contacts more than " + number(choice.length) +
+                                           ", which is too little for the numbers it is rounded to"
+                                     : "see --contacts separate=LENGTH and bridge=LENGTH"),
               {}, shown(to));
 }
 
@@ -236,7 +239,7 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points;
   Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)
                           : to_mesh(settled, to.format.coordinates, rounding);
-  refuse_contacts(rounded.contacts(), to);
+  refuse_contacts(rounded.contacts(), to, contacts);
   if (own.settled) {
     add_settled(*std::move(own.settled), report);
   }

@@ -1,6 +1,7 @@
 #include "dupin/kernel/repair.h"
 
 #include <memory>
+#include <optional>
 
 #include <CLI/App.hpp>
 
@@ -9,6 +10,7 @@
 #include "input.h"
 #include "length.h"
 #include "output.h"
+#include "progress_line.h"
 #include "rounding_options.h"
 
 namespace dupin::cli {
@@ -27,8 +29,12 @@ ExitCode run_repair(const RepairArguments& arguments, const CommonOptions& commo
   const MeshHeader header{input.unit(), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
-  const Repaired repaired = repaired_solid_of(input);
-  OutputReport report = write_solid(repaired.solid, to, rounding, header, contacts);
+  std::optional<ProgressLine> line(common.quiet);
+  const Progress progress = line->callback();
+  tell(progress, "repair");
+  const Repaired repaired = repaired_solid_of(input, progress);
+  OutputReport report = write_solid(repaired.solid, to, rounding, header, contacts, progress);
+  line.reset();
   report.repairs = {{input.name, repaired.report}};
   print_written(report, to, common);
   return ExitCode::ok;

@@ -119,7 +119,7 @@ ExitCode report_document(const ReportArguments& arguments, const Input& input,
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();
-    Built built = build_document(document, options);
+    Built built = build(document, options);
     tell(options.progress, "round");
     TriMesh mesh = round(built.solid, report.output);
     take(report, std::move(built), document, options.connect);

@@ -1,6 +1,7 @@
 #include "dupin/kernel/simplify.h"
 
 #include <memory>
+#include <optional>
 
 #include <CLI/App.hpp>
 
@@ -10,6 +11,7 @@
 #include "length.h"
 #include "mesh_to_mesh.h"
 #include "output.h"
+#include "progress_line.h"
 
 namespace dupin::cli {
 namespace {
@@ -23,8 +25,12 @@ ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) 
   const MeshHeader header{input.unit(), {}};
   const double tolerance = mesh_length(common.tolerance, 0, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
-  const Simplified simple = simplify(solid_of(input), tolerance);
-  OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, header);
+  std::optional<ProgressLine> line(common.quiet);
+  const Progress progress = line->callback();
+  tell(progress, "read");
+  const Simplified simple = simplify(solid_of(input), tolerance, progress);
+  OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, header, {}, progress);
+  line.reset();
   report.simplification = {simple.removed_triangles, simple.deviation};
   print_written(report, to, common);
   return ExitCode::ok;

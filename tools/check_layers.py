@@ -69,6 +69,7 @@ ARROWS = {
         "json": ["drawings", "exchange", "formats", "files", "pcf", "text"],
         "graph": ["text"],
         "pcf": ["text"],
+        "documents": ["json", "graph", "pcf"],
         "pages": ["json", "pcf", "text"],
     },
 }

@@ -7,6 +7,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "dupin/io/mesh_format.h"
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
@@ -28,6 +30,19 @@ void bind_documents(py::module_& module);
 /// array that has another shape or kind.
 [[nodiscard]] TriMesh mesh_of(const py::object& points, const py::object& triangles,
                               const py::object& labels, std::vector<std::string> names);
+
+/// Three real numbers. Throws Error{invalid_argument} naming the argument for others.
+[[nodiscard]] Vec3 vector_of(const py::object& object, const std::string& name);
+
+/// "report" or "refuse". Throws Error{invalid_argument} for others.
+[[nodiscard]] ContactPolicy contact_policy(const std::string& name);
+
+/// The format that is named or, if none is, that of the path's extension. Throws
+/// Error{invalid_argument} for others.
+[[nodiscard]] const MeshFormat& format_named(const std::string& format, const std::string& path);
+
+/// Throws Error{invalid_argument} for what is no unit, unless nothing.
+void require_unit(const std::string& unit);
 
 /// A view of memory that `owner` keeps alive, not to be written.
 template <class Number>

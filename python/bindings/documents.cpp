@@ -10,12 +10,9 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
-#include "dupin/io/bill_report.h"
 #include "dupin/io/certificate_json.h"
-#include "dupin/io/graph_file.h"
+#include "dupin/io/document.h"
 #include "dupin/io/nurbs_json.h"
-#include "dupin/io/pcf.h"
-#include "dupin/io/report_json.h"
 #include "dupin/io/schema.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/decimal.h"
@@ -24,24 +21,26 @@
 namespace dupin::python {
 namespace {
 
-Assembly assembly_of_text(const std::string& text, const std::string& source,
-                          std::optional<double> tolerance = {}) {
-  Assembly assembly = parse_assembly(text, source);
-  assembly.tolerance = tolerance.value_or(assembly.tolerance);
-  return assembly;
+// As the extension of `source`, its file's name, says.
+Document document_named(const std::string& text, const std::string& source) {
+  return document_of(text, source, document_kind(source));
+}
+
+Assembly assembly_of_text(const std::string& text, const std::string& source) {
+  return document_named(text, source).assembly;
 }
 
 std::optional<Region> region_named(const std::optional<std::string>& text) {
   if (!text) {
     return std::nullopt;
   }
-  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+  for (const Region region : {Region::outer, Region::metal, Region::fluid, Region::insulation}) {
     if (*text == name(region)) {
       return region;
     }
   }
-  throw Error(Errc::invalid_argument, "'" + *text + "' must be 'outer', 'metal' or 'fluid'", {},
-              "region");
+  throw Error(Errc::invalid_argument,
+              "'" + *text + "' must be 'outer', 'metal', 'fluid' or 'insulation'", {}, "region");
 }
 
 std::optional<CrossCheckEngine> engine_named(const std::optional<std::string>& text) {
@@ -55,14 +54,6 @@ std::optional<CrossCheckEngine> engine_named(const std::optional<std::string>& t
   }
   throw Error(Errc::invalid_argument, "'" + *text + "' must be 'nef' or 'corefinement'", {},
               "cross_check");
-}
-
-ContactPolicy contact_policy(const std::string& text) {
-  if (text != "report" && text != "refuse") {
-    throw Error(Errc::invalid_argument, "'" + text + "' must be 'report' or 'refuse'", {},
-                "contacts");
-  }
-  return text == "report" ? ContactPolicy::report : ContactPolicy::refuse;
 }
 
 /// The solid, and all that a report says but of its file.
@@ -81,35 +72,24 @@ py::tuple built(const std::string& text, const std::string& source, std::optiona
                        .region = region_named(region)};
   BuildReport report;
   Solid solid = work.run([&] {
-    const Assembly assembly = assembly_of_text(text, source);
-    options.connect = connect.value_or(assembly.tolerance);
-    Built result = build(assembly, options);
-    report.gaps = {assembly.source, assembly.unit, options.connect, std::move(result.ports),
-                   std::move(result.gaps)};
-    report.output.contacts = result.solid.contacts();
-    report.output.cross_check = std::move(result.cross_check);
-    report.parts = std::move(result.parts);
-    report.runs = result.runs;
-    report.pieces = result.pieces;
-    report.grid = result.grid;
-    report.region = result.region;
-    report.volumes = result.volumes;
-    return std::move(result.solid);
+    Document document = document_named(text, source);
+    options.connect = connect.value_or(document.assembly.tolerance);
+    Built result = build(document, options);
+    Solid whole = std::move(result.solid);
+    report.output.contacts = whole.contacts();
+    take(report, std::move(result), document, options.connect);
+    return whole;
   });
-  return py::make_tuple(std::move(solid), to_json(report), report.gaps.findings());
+  return py::make_tuple(std::move(solid), to_json(report),
+                        report.gaps.findings() + report.source_findings());
 }
 
 std::string gaps(const std::string& text, const std::string& source,
                  std::optional<double> connect) {
   return unlocked([&] {
-    const Assembly assembly = assembly_of_text(text, source);
-    GapSummary summary;
-    summary.file = source;
-    summary.unit = assembly.unit;
-    summary.connect = connect.value_or(assembly.tolerance);
-    summary.ports = ports(resolve(assembly));
-    summary.pairs = pair_ends(summary.ports, summary.connect);
-    return to_json(summary);
+    return to_json(document_kind(source) == DocumentKind::piping
+                       ? piping_gap_summary(text, source, BoreMeaning::automatic, connect)
+                       : gap_summary(assembly_of_text(text, source), connect));
   });
 }
 
@@ -128,39 +108,27 @@ std::string bill_of(const std::string& text, const std::string& source,
                 "the density must be a positive number, in kg/m3, not " + decimal(*density));
   }
   return unlocked([&] {
-    BillReport report;
-    report.bill = bill_of_materials(assembly_of_text(text, source));
+    BillReport report = bill_report(document_named(text, source));
     report.density = density;
     return to_json(report);
   });
 }
 
-/// The document of a piping file or a graph, with what became of it on the way.
-py::tuple converted(const std::string& path, std::optional<double> radius, bool keep_going,
-                    std::optional<double> snap, double bridge, std::optional<double> wall) {
-  std::vector<SourceNote> notes;
-  std::string text = unlocked([&] {
-    const std::string bytes = read_file(path);
-    if (is_pcf_file(path)) {
-      PcfFile file = parse_pcf(bytes, path);
-      PipingOptions options{.bridge = bridge, .wall = wall, .keep_going = keep_going};
-      options.snap = snap.value_or(options.snap);
-      PipingNetwork network = assembly_of(file.line, options);
-      notes = std::move(file.notes);
-      notes.insert(notes.end(), network.notes.begin(), network.notes.end());
-      return document_text(network.assembly);
+/// The assembly that a piping file or a graph is made into.
+std::string converted(const std::string& text, const std::string& source,
+                      std::optional<double> radius, bool keep_going, std::optional<double> snap,
+                      double bridge, std::optional<double> wall) {
+  return unlocked([&] {
+    SourceOptions options{.radius = radius, .snap = snap, .bridge = bridge};
+    const DocumentKind kind = document_kind(source);
+    options.keep_going = keep_going;
+    if (kind == DocumentKind::piping) {
+      options.wall = wall;
     }
-    PipeNetwork network = assembly_of(parse_graph_file(bytes, path, keep_going ? &notes : nullptr),
-                                      {.radius = radius, .keep_going = keep_going});
-    notes.insert(notes.end(), network.notes.begin(), network.notes.end());
-    network.assembly.wall = wall ? wall : network.assembly.wall;
-    return document_text(network.assembly);
+    Assembly assembly = document_of(text, source, kind, options).assembly;
+    assembly.wall = wall ? wall : assembly.wall;
+    return document_text(assembly);
   });
-  py::list said;
-  for (const SourceNote& note : notes) {
-    said.append(py::make_tuple(note.line, note.text));
-  }
-  return py::make_tuple(std::move(text), said);
 }
 
 void bind_certificate(py::module_& module) {
@@ -178,14 +146,18 @@ void bind_certificate(py::module_& module) {
           "naming the part and claim that does not follow.")
       .def("_require_about",
            [](const Certificate& self, const std::string& text, const std::string& source) {
-             unlocked([&] { require_about(self, text, source); });
+             unlocked([&] { require_about(self, text, assembly_of_text(text, source)); });
            });
   module.def("certify", [](const std::string& text, const std::string& source,
                            std::optional<double> margin, std::optional<double> tolerance,
-                           std::size_t most_triangles) {
-    return unlocked([&] {
-      Certificate certificate = certify(assembly_of_text(text, source, tolerance),
-                                        {.margin = margin, .most_triangles = most_triangles});
+                           std::size_t most_triangles, const py::object& progress) {
+    Interruptible work(progress);
+    return work.run([&] {
+      Assembly assembly = assembly_of_text(text, source);
+      assembly.tolerance = tolerance.value_or(assembly.tolerance);
+      Certificate certificate = certify(
+          assembly,
+          {.margin = margin, .most_triangles = most_triangles, .progress = work.progress()});
       certificate.document_sha256 = sha256(text);
       return certificate;
     });

@@ -4,11 +4,20 @@
 namespace dupin::python {
 namespace {
 
+// Names of files need not be UTF-8: as os.fsdecode has them.
+py::object text(std::string_view bytes) {
+  PyObject* const decoded =
+      PyUnicode_DecodeUTF8(bytes.data(), py::ssize_t(bytes.size()), "surrogateescape");
+  if (decoded == nullptr) {
+    throw py::error_already_set();
+  }
+  return py::reinterpret_steal<py::object>(decoded);
+}
+
 void translate(const Error& error) {
   const py::object make = py::module_::import("dupin.errors").attr("error_of");
-  const std::string_view code = name(error.code());
-  const py::object value = make(py::str(code.data(), code.size()), error.message(), error.part(),
-                                error.where(), std::string(error.what()));
+  const py::object value = make(text(name(error.code())), text(error.message()), text(error.part()),
+                                text(error.where()), text(error.what()));
   PyErr_SetObject(py::type::of(value).ptr(), value.ptr());
 }
 

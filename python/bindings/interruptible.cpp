@@ -37,7 +37,14 @@ bool Interruptible::call(std::string_view stage, double fraction) {
       return true;
     }
     const py::object answer = callback_(py::str(stage.data(), stage.size()), fraction);
-    return answer.is_none() || answer.cast<bool>();
+    if (answer.is_none()) {
+      return true;
+    }
+    const int is_true = PyObject_IsTrue(answer.ptr());
+    if (is_true < 0) {
+      throw py::error_already_set();
+    }
+    return is_true != 0;
   } catch (const py::error_already_set& error) {
     thrown_ = [error] { throw error; };
     return false;

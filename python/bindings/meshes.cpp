@@ -174,11 +174,8 @@ void bind_mesh(py::module_& module) {
 std::string written(const MeshPointer& mesh, const std::string& path, const std::string& format,
                     const std::string& unit) {
   return unlocked([&] {
-    const MeshFormat* const chosen = find_mesh_format(format);
-    if (!format.empty() && chosen == nullptr) {
-      throw Error(Errc::invalid_argument, "'" + format + "' is no format of meshes", {}, "format");
-    }
-    const MeshFormat& to = chosen != nullptr ? *chosen : format_of(path);
+    const MeshFormat& to = format_named(format, path);
+    require_unit(unit);
     write_mesh(path, *mesh, to, {unit, {}});
     return to_json(check(to.read(read_file(path), path)));
   });
@@ -186,9 +183,36 @@ std::string written(const MeshPointer& mesh, const std::string& path, const std:
 
 }  // namespace
 
+const MeshFormat& format_named(const std::string& format, const std::string& path) {
+  const MeshFormat* const chosen = find_mesh_format(format);
+  if (!format.empty() && chosen == nullptr) {
+    throw Error(Errc::invalid_argument, "'" + format + "' is no format of meshes", {}, "format");
+  }
+  return chosen != nullptr ? *chosen : format_of(path);
+}
+
+void require_unit(const std::string& unit) {
+  if (!unit.empty()) {
+    (void)unit_from(unit);
+  }
+}
+
+Vec3 vector_of(const py::object& object, const std::string& name) {
+  const py::array array = array_of(object, name, 1, "fiub");
+  if (array.size() != 3) {
+    refuse(name, "must be three numbers, not " + std::to_string(array.size()));
+  }
+  const Points numbers = Points::ensure(array);
+  return {numbers.data()[0], numbers.data()[1], numbers.data()[2]};
+}
+
 TriMesh mesh_of(const py::object& points, const py::object& triangles, const py::object& labels,
                 std::vector<std::string> names) {
   TriMesh mesh{points_of(points), triangles_of(triangles), labels_of(labels), std::move(names)};
+  if (!mesh.labels.empty() && mesh.labels.size() != mesh.triangles.size()) {
+    refuse("labels", "must be one for each of the " + std::to_string(mesh.triangles.size()) +
+                         " triangles, not " + std::to_string(mesh.labels.size()));
+  }
   for (const Triangle& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) {
       if (corner >= mesh.points.size()) {

@@ -30,48 +30,45 @@ py::object fraction(const mpq_class& number) {
                         integer(number.get_den().get_str(16), 16));
 }
 
-ContactPolicy contact_policy(const std::string& name) {
-  if (name != "report" && name != "refuse") {
-    throw Error(Errc::invalid_argument, "'" + name + "' must be 'report' or 'refuse'", {},
-                "contacts");
-  }
-  return name == "report" ? ContactPolicy::report : ContactPolicy::refuse;
-}
-
 py::dict contact(const Contact& contact) {
   using namespace py::literals;
   return py::dict("kind"_a = contact.kind == Contact::Kind::edge ? "edge" : "vertex",
                   "from"_a = contact.from, "to"_a = contact.to, "names"_a = contact.names);
 }
 
-/// How coordinates are rounded, as Python gives it.
-struct Rounding {
-  double tolerance = 0, grid = 0;
-  std::optional<Vec3> origin;
-
-  [[nodiscard]] RoundingOptions options() const {
-    RoundingOptions options{.tolerance = tolerance, .output_grid = grid, .origin = {}};
-    if (origin) {
-      options.origin = {Origin::Choice::given, *origin};
-    }
-    return options;
+// How coordinates are rounded; of no origin, about zero.
+RoundingOptions rounding_options(double tolerance, double grid, const py::object& origin) {
+  RoundingOptions options{.tolerance = tolerance, .output_grid = grid, .origin = {}};
+  if (!origin.is_none()) {
+    options.origin = {Origin::Choice::given, vector_of(origin, "origin")};
   }
-};
+  return options;
+}
+
+// Apart where it touches itself, for formats whose readers would weld it there.
+Rounded rounded_for(const MeshFormat& format, const Solid& solid, const RoundingOptions& options,
+                    OutputReport& report) {
+  if (!format.merges_points) {
+    return to_mesh(solid, format.coordinates, options);
+  }
+  RoundedApart apart = rounded_apart(solid, format.coordinates, options);
+  if (!apart.contacts.empty()) {
+    report.settled = {"separate", apart.length, std::move(apart.contacts)};
+  }
+  return std::move(apart.rounded);
+}
 
 std::string write_solid(const Solid& solid, const std::string& path, const std::string& format,
-                        const std::string& unit, const Rounding& rounding,
+                        const std::string& unit, const RoundingOptions& rounding,
                         const py::object& callback) {
   Interruptible work(callback);
   return work.run([&] {
-    const MeshFormat* const chosen = find_mesh_format(format);
-    if (!format.empty() && chosen == nullptr) {
-      throw Error(Errc::invalid_argument, "'" + format + "' is no format of meshes", {}, "format");
-    }
-    const MeshFormat& to = chosen != nullptr ? *chosen : format_of(path);
+    const MeshFormat& to = format_named(format, path);
+    require_unit(unit);
     const Progress progress = work.progress();
     tell(progress, "round");
-    const Rounded rounded = to_mesh(solid, to.coordinates, rounding.options());
     OutputReport report;
+    const Rounded rounded = rounded_for(to, solid, rounding, report);
     report.file = path;
     report.format = to.name;
     report.rounding = rounded.report();
@@ -84,8 +81,9 @@ std::string write_solid(const Solid& solid, const std::string& path, const std::
 }
 
 template <class Settle>
-Solid settled(const Solid& solid, double length, const Settle& settle) {
-  return unlocked([&] { return settle(solid, length, Progress()).solid; });
+Solid settled(const Solid& solid, double length, const py::object& progress, const Settle& settle) {
+  Interruptible work(progress);
+  return work.run([&] { return settle(solid, length, work.progress()).solid; });
 }
 
 Solid moved(const Solid& solid, const Placement& placement) {
@@ -173,37 +171,40 @@ template <class Class>
 void bind_operations(Class& solid) {
   const auto combined = [](auto operation) {
     return [operation](const Solid& a, const Solid& b) {
-      return unlocked([&] { return operation(a, b); });
+      Interruptible work(py::none{});
+      const BooleanOptions options{ContactPolicy::report, work.progress()};
+      return work.run([&] { return operation(a, b, options); });
     };
   };
-  const auto united = combined([](const Solid& a, const Solid& b) {
-    return unite(std::array{a, b});
+  const auto united = combined([](const Solid& a, const Solid& b, const BooleanOptions& options) {
+    return unite(std::array{a, b}, options);
   });
   solid.def("__add__", united, py::is_operator())
       .def("__or__", united, py::is_operator())
-      .def("__sub__",
-           combined([](const Solid& a, const Solid& b) { return subtract(a, std::array{b}); }),
+      .def("__sub__", combined([](const Solid& a, const Solid& b, const BooleanOptions& options) {
+             return subtract(a, std::array{b}, options);
+           }),
            py::is_operator())
-      .def("__and__", combined([](const Solid& a, const Solid& b) {
-             return intersect(std::array{a, b});
+      .def("__and__", combined([](const Solid& a, const Solid& b, const BooleanOptions& options) {
+             return intersect(std::array{a, b}, options);
            }),
            py::is_operator())
       .def(
           "translate",
-          [](const Solid& self, const Vec3& by) {
+          [](const Solid& self, const py::object& by) {
             Placement placement;
-            placement.translate(by);
+            placement.translate(vector_of(by, "by"));
             return moved(self, placement);
           },
           py::arg("by"), "The solid moved by a vector, exactly.")
       .def(
           "rotate",
-          [](const Solid& self, const Vec3& axis, double degrees, const Vec3& about) {
+          [](const Solid& self, const py::object& axis, double degrees, const py::object& about) {
             Placement placement;
-            placement.rotate(axis, degrees, about);
+            placement.rotate(vector_of(axis, "axis"), degrees, vector_of(about, "about"));
             return moved(self, placement);
           },
-          py::arg("axis"), py::arg("degrees"), py::arg("about") = Vec3(Vec3::Zero()),
+          py::arg("axis"), py::arg("degrees"), py::arg("about") = py::make_tuple(0.0, 0.0, 0.0),
           "The solid turned about an axis; exactly for multiples of 90 degrees, else by an angle "
           "that differs by less than 4e-15.")
       .def(
@@ -216,21 +217,27 @@ void bind_operations(Class& solid) {
           py::arg("factor"), "The solid scaled about the origin, exactly.")
       .def(
           "separate",
-          [](const Solid& self, double distance) {
-            return settled(self, distance, &dupin::separate);
+          [](const Solid& self, double distance, const py::object& progress) {
+            return settled(self, distance, progress, &dupin::separate);
           },
-          py::arg("distance"), "Without the material around contacts: it no longer touches itself.")
+          py::arg("distance"), py::kw_only(), py::arg("progress") = py::none(),
+          "Without the material around contacts: it no longer touches itself.")
       .def(
           "bridge",
-          [](const Solid& self, double radius) { return settled(self, radius, &dupin::bridge); },
-          py::arg("radius"), "With material added around contacts.")
+          [](const Solid& self, double radius, const py::object& progress) {
+            return settled(self, radius, progress, &dupin::bridge);
+          },
+          py::arg("radius"), py::kw_only(), py::arg("progress") = py::none(),
+          "With material added around contacts.")
       .def(
           "simplify",
-          [](const Solid& self, double tolerance) {
-            return unlocked(
-                [&] { return std::make_shared<TriMesh>(simplify(self, tolerance).mesh); });
+          [](const Solid& self, double tolerance, const py::object& progress) {
+            Interruptible work(progress);
+            return work.run([&] {
+              return std::make_shared<TriMesh>(simplify(self, tolerance, work.progress()).mesh);
+            });
           },
-          py::arg("tolerance"),
+          py::arg("tolerance"), py::kw_only(), py::arg("progress") = py::none(),
           "A Mesh with fewer triangles within a distance, still a solid, labels' borders kept.");
 }
 
@@ -240,16 +247,17 @@ void bind_output(Class& solid) {
       .def(
           "mesh",
           [](const Solid& self, const std::string& coordinates, double tolerance, double grid,
-             const std::optional<Vec3>& origin) {
+             const py::object& origin) {
             if (coordinates != "binary64" && coordinates != "binary32") {
               throw Error(Errc::invalid_argument,
                           "'" + coordinates + "' must be 'binary64' or 'binary32'", {},
                           "coordinates");
             }
+            const RoundingOptions rounding = rounding_options(tolerance, grid, origin);
             return unlocked([&] {
               Rounded rounded = to_mesh(
                   self, coordinates == "binary64" ? Coordinates::binary64 : Coordinates::binary32,
-                  Rounding{tolerance, grid, origin}.options());
+                  rounding);
               return std::make_shared<TriMesh>(std::move(rounded).mesh());
             });
           },
@@ -258,8 +266,9 @@ void bind_output(Class& solid) {
           "Rounded once, to numbers with which it is proved to be a solid still: a Mesh.")
       .def("_write", [](const Solid& self, const std::string& path, const std::string& format,
                         const std::string& unit, double tolerance, double grid,
-                        const std::optional<Vec3>& origin, const py::object& progress) {
-        return write_solid(self, path, format, unit, {tolerance, grid, origin}, progress);
+                        const py::object& origin, const py::object& progress) {
+        return write_solid(self, path, format, unit, rounding_options(tolerance, grid, origin),
+                           progress);
       });
 }
 
@@ -328,6 +337,14 @@ py::tuple remeshed(const Solid& solid, double distance, double size, double angl
 }
 
 }  // namespace
+
+ContactPolicy contact_policy(const std::string& name) {
+  if (name != "report" && name != "refuse") {
+    throw Error(Errc::invalid_argument, "'" + name + "' must be 'report' or 'refuse'", {},
+                "contacts");
+  }
+  return name == "report" ? ContactPolicy::report : ContactPolicy::refuse;
+}
 
 void bind_solids(py::module_& module) {
   py::class_<Solid> solid(

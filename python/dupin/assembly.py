@@ -93,7 +93,7 @@ class Assembly(PartMethods):
 
     def write(self, file: str | os.PathLike[str]) -> Assembly:
         """Writes the document to a file, in one step."""
-        _core.write_text(os.fspath(file), self.to_json())
+        _core.write_text(os.fsencode(file), self.to_json())
         return self
 
     def validate(self) -> Assembly:

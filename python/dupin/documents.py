@@ -17,21 +17,15 @@ from .meshes import Progress
 Document = Union[Assembly, Mapping, str, os.PathLike]
 
 
-def _is_source(path: str) -> bool:
-    return path.lower().endswith((".pcf", ".swc", ".graph"))
-
-
-def _text_of(document: Document) -> tuple[str, str]:
-    """A document's text, and what messages call it."""
+def _text_of(document: Document) -> tuple[str | bytes, bytes]:
+    """A document's text, and its file's name, by which it is known what it is."""
     if isinstance(document, Assembly):
-        return document.to_json(), ""
+        return document.to_json(), b""
     if isinstance(document, Mapping):
-        return json.dumps(plain(document)), ""
-    if isinstance(document, (str, os.PathLike)):
-        path = os.fspath(document)
-        if _is_source(path):
-            return _core.converted(path, None, False, None, 0.0, None)[0], path
-        return _core.read_text(path).decode(errors="surrogateescape"), path
+        return json.dumps(plain(document)), b""
+    if isinstance(document, (str, bytes, os.PathLike)):
+        path = os.fsencode(document)
+        return _core.read_text(path), path
     raise InvalidArgument(f"a {type(document).__name__} is no document; give an Assembly, a dict or a file's name")
 
 
@@ -40,11 +34,10 @@ def read_document(file: str | os.PathLike[str], *, radius: float | None = None, 
     """The document in a file. A piping file (.pcf) or a graph (.swc, .graph) becomes an assembly, in millimetres:
     `radius` is of a graph's nodes that have none, `snap` and `bridge` are how far apart ends of a piping file may be,
     `wall` the thickness of what says none; `keep_going` leaves out what is refused. Values and copies stay."""
-    path = os.fspath(file)
-    if _is_source(path):
-        return Assembly.from_json(_core.converted(path, radius, keep_going, snap, bridge, wall)[0])
-    text, source = _text_of(path)
-    _core.document_text(text, source)
+    text, path = _text_of(file)
+    if path.lower().endswith((b".pcf", b".swc", b".graph")):
+        return Assembly.from_json(_core.converted(text, path, radius, keep_going, snap, bridge, wall))
+    _core.document_text(text, path)
     return Assembly.from_dict(json.loads(text))
 
 
@@ -55,7 +48,7 @@ class Built:
         self.solid = solid
         #: Keys as of `dupin build --json`, without `output`.
         self.report = report
-        #: How many pairs of ends are neither welded nor open.
+        #: How many pairs of ends are neither welded nor open, and how much of a graph or piping file is not as it says.
         self.findings = findings
 
     @property
@@ -75,7 +68,7 @@ class Built:
 
     @property
     def volumes(self) -> dict[str, float] | None:
-        """Of outer, metal and fluid, where there are walls."""
+        """Of outer, metal and fluid, where there are walls; of the insulation, if that was built."""
         return self.report.get("volumes")
 
     def mesh(self, **rounding: Any) -> Mesh:
@@ -101,7 +94,7 @@ def build(document: Document, *, tolerance: float | None = None, segments: int |
     most_triangles  of all parts, by an estimate made before they are meshed
     contacts        "report" or "refuse" what touches itself
     cross_check     "nef" or "corefinement": the union by another engine, compared exactly
-    region          "outer", "metal" or "fluid"; by default metal, where there are walls
+    region          "outer", "metal", "fluid" or "insulation"; by default metal, where there are walls
     progress        progress(stage, fraction); returning False raises Cancelled
 
     Raises an Error that names part and place: IrregularSurface for a blend that folds, InfeasibleBlend for one that
@@ -119,15 +112,16 @@ def build(document: Document, *, tolerance: float | None = None, segments: int |
 
 def gaps(document: Document, *, connect: float | None = None) -> dict[str, Any]:
     """How the ends of an assembly miss each other, exactly: `report["pairs"]` with verdicts, enclosures, and the
-    rationals behind them; `report["findings"]` counts pairs that are neither welded nor open."""
+    rationals behind them; `report["findings"]` counts pairs that are neither welded nor open. Of a piping file it is the
+    ends as the file has them, up to 1 mm apart if `connect` is not given, else up to the document's tolerance."""
     return json.loads(_core.gaps(*_text_of(document), connect))
 
 
 def certify(document: Document, *, margin: float | None = None, tolerance: float | None = None,
-            most_triangles: int = _core.usual_triangles) -> Certificate:
+            most_triangles: int = _core.usual_triangles, progress: Progress = None) -> Certificate:
     """Proves what it can about the smooth parts: no folds, no self-intersection, clearances, mesh error. What it
     cannot is undecided: `certificate.findings` counts that, `certificate.summary` says it."""
-    return _core.certify(*_text_of(document), margin, tolerance, most_triangles)
+    return _core.certify(*_text_of(document), margin, tolerance, most_triangles, progress)
 
 
 def verify(certificate: Certificate | str | os.PathLike[str], document: Document | None = None) -> Certificate:
@@ -135,8 +129,8 @@ def verify(certificate: Certificate | str | os.PathLike[str], document: Document
     given, that it is about this. Returns the certificate. Raises ParseFailed if a byte of it was changed, and
     InvalidArgument naming the part and claim that does not follow."""
     if not isinstance(certificate, Certificate):
-        path = os.fspath(certificate)
-        certificate = _core.parse_certificate(_core.read_text(path).decode(errors="surrogateescape"), path)
+        path = os.fsencode(certificate)
+        certificate = _core.parse_certificate(_core.read_text(path), path)
     if document is not None:
         certificate._require_about(*_text_of(document))
     certificate.verify()
@@ -162,7 +156,7 @@ def schema(kind: str = "assembly") -> dict[str, Any]:
 
 def _write_certificate(self: Certificate, file: str | os.PathLike[str]) -> None:
     """Writes the certificate to a file, in one step."""
-    _core.write_text(os.fspath(file), self.to_json())
+    _core.write_text(os.fsencode(file), self.to_json())
 
 
 def _summary(self: Certificate) -> dict[str, Any]:

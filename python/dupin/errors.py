@@ -105,9 +105,16 @@ class ParseFailed(Error, ValueError):
 
 
 class IoFailed(Error, OSError):
-    """The operating system refused to read or write."""
+    """The operating system refused to read or write `filename`."""
 
     code = "io_failed"
+
+    def __init__(self, message: str, part: str = "", where: str = "", text: str | None = None) -> None:
+        super().__init__(message, part, where, text)
+        self.filename = where or None
+
+    def __str__(self) -> str:  # OSError's own, where it has a filename, says nothing else
+        return self.args[0]
 
 
 class InternalError(Error, RuntimeError):

@@ -40,8 +40,8 @@ def _meshio_triangles(mesh: Any) -> np.ndarray:
 def as_mesh(mesh: MeshLike, triangles: Any = None) -> Mesh:
     """A Mesh of whatever is one: arrays that lie in memory as the library's do are copied, not converted.
 
-    Accepts a Mesh, (points, triangles) or both as arguments, a file's name, a Solid (rounded once, so that it stays
-    one), and meshes of trimesh, meshio and PyVista. Raises InvalidArgument naming what does not fit.
+    Accepts a Mesh, (points, triangles) or both as arguments, a file's name, a Solid or what was built (rounded once, so
+    that it stays a solid), and meshes of trimesh, meshio and PyVista. Raises InvalidArgument naming what does not fit.
     """
     if triangles is not None:
         return Mesh(mesh, triangles)
@@ -49,7 +49,9 @@ def as_mesh(mesh: MeshLike, triangles: Any = None) -> Mesh:
         return mesh
     if isinstance(mesh, Solid):
         return mesh.mesh()
-    if isinstance(mesh, (str, os.PathLike)):
+    if hasattr(mesh, "solid") and isinstance(mesh.solid, Solid):  # Built
+        return mesh.solid.mesh()
+    if isinstance(mesh, (str, bytes, os.PathLike)):
         return read_mesh(mesh)
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return Mesh(*mesh)
@@ -79,13 +81,13 @@ def as_solid(mesh: SolidLike, triangles: Any = None) -> Solid:
 
 def read_mesh(file: str | os.PathLike[str]) -> Mesh:
     """The mesh in a file, whose format is told by its content."""
-    return _core.read_mesh(os.fspath(file))
+    return _core.read_mesh(os.fsencode(file))
 
 
 def write_mesh(file: str | os.PathLike[str], mesh: MeshLike, *, format: str = "", unit: str = "") -> dict[str, Any]:
     """Writes any mesh, each coordinate rounded to what the format holds, and returns what `check` says of the file.
     The format is the one that the extension names, if it is not given. For solids see Solid.write."""
-    return json.loads(_core.write_mesh(as_mesh(mesh), os.fspath(file), format, unit))
+    return json.loads(_core.write_mesh(as_mesh(mesh), os.fsencode(file), format, unit))
 
 
 def check(mesh: MeshLike, triangles: Any = None, *, limit: int = 100,
@@ -220,10 +222,12 @@ def _write(self: Solid, file: str | os.PathLike[str], *, format: str = "", unit:
            progress: Progress = None) -> dict[str, Any]:
     """Rounds once, writes, reads back and verifies; only then does the file take its place. Returns the report.
 
-    The format is the one that the extension names, if it is not given. Raises Unroundable, naming the place, and
-    IoFailed; then no file is left behind, and one that was there stays as it was.
+    The format is the one that the extension names, if it is not given. In STL, whose readers weld what is in one place,
+    the solid is apart where it touches itself, by as little as its numbers allow; `report["settled"]` says where. Raises
+    Unroundable, naming the place, ContactRefused where that cannot be, and IoFailed; then no file is left behind, and one
+    that was there stays as it was.
     """
-    return json.loads(self._write(os.fspath(file), format, unit, rounding_tolerance, grid, origin, progress))
+    return json.loads(self._write(os.fsencode(file), format, unit, rounding_tolerance, grid, origin, progress))
 
 
 def _read(file: str | os.PathLike[str]) -> Solid:

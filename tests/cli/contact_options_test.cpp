@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "exit_code.h"
-#include "support/pipe_unions.h"
 #include "support/shapes.h"
 
 namespace dupin::cli {
@@ -51,22 +50,17 @@ TEST(ContactOptions, settle_contacts_and_tell) {
   EXPECT_EQ(report.settled->policy, "separate");
 }
 
-TEST(ContactOptions, part_what_touches_itself_once_it_is_rounded) {
-  std::size_t parted = 0;
-  for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    const Solid solid = unite(test::resting_pipes(8, seed));
-    const auto contacts = to_mesh(solid, Coordinates::binary32).contacts().size();
-    OutputReport report;
-    EXPECT_TRUE(rounded_apart(solid, Coordinates::binary32, {}, report).contacts().empty());
-    EXPECT_EQ(report.settled.has_value(), contacts > 0);
-    if (report.settled) {
-      ++parted;
-      EXPECT_EQ(report.settled->policy, "separate");
-      EXPECT_GE(report.settled->contacts.size(), contacts);
-      EXPECT_GT(report.settled->length, 0);
-    }
-  }
-  EXPECT_GT(parted, 0U);
+TEST(ContactOptions, tell_what_was_ended_for_the_format) {
+  const std::vector<Solid> boxes = {Solid::from(test::box({0, 0, 0}, {1, 1, 1})),
+                                    Solid::from(test::box({1, 1, 0}, {2, 2, 1}))};
+  OutputReport report;
+  EXPECT_TRUE(rounded_apart(unite(boxes), Coordinates::binary32, {}, report).contacts().empty());
+  ASSERT_TRUE(report.settled);
+  EXPECT_EQ(report.settled->policy, "separate");
+  EXPECT_EQ(report.settled->contacts.size(), 1U);
+  OutputReport none;
+  EXPECT_TRUE(rounded_apart(boxes.front(), Coordinates::binary32, {}, none).contacts().empty());
+  EXPECT_FALSE(none.settled);
 }
 
 }  // namespace

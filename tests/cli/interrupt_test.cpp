@@ -12,6 +12,8 @@
 
 #include "cli/tool.h"
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/error.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -82,6 +84,23 @@ TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
   const ProcessResult result = shell("timeout --preserve-status -s INT 0.5 " + tool_path() +
                                      " convert - out.off < <(sleep 20); echo $?; ls -A");
   EXPECT_EQ(result.out, "130\nexamples\n");
+  EXPECT_EQ(result.err, "dupin: interrupted\n");
+}
+
+TEST_F(MeshCommands, an_interrupt_is_an_object_for_programs) {
+  const ProcessResult result = shell("timeout --preserve-status -s TERM 0.5 " + tool_path() +
+                                     " check - --json < <(sleep 20); echo $?");
+  EXPECT_EQ(result.out, "130\n");
+  EXPECT_EQ(result.err,
+            error_json(Error(Errc::cancelled, "interrupted"), "interrupted", 130) + "\n");
+}
+
+TEST_F(MeshCommands, an_interrupted_batch_ends_after_its_processes) {
+  // Documents that are never read to their end.
+  const ProcessResult result = shell(
+      "mkfifo a.json b.json; timeout --preserve-status -s TERM 1 " + tool_path() +
+      " build a.json b.json --out-dir out -j 2 > /dev/null; echo $?; pgrep -f 'out/[ab].stl'");
+  EXPECT_EQ(result.out, "130\n");
   EXPECT_EQ(result.err, "dupin: interrupted\n");
 }
 

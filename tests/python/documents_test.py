@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import signal
+import subprocess
 import threading
 import time
 
@@ -182,6 +183,42 @@ def test_piping_files_and_graphs_become_documents():
         dupin.build(EXAMPLES / "frame.graph")
 
 
+def tool_says(*arguments, code=0):
+    """What the tool prints with --json."""
+    run = subprocess.run([os.environ["DUPIN_TOOL"], *map(str, arguments), "--json"], capture_output=True, check=False)
+    assert run.returncode == code, run.stderr
+    return json.loads(run.stdout)
+
+
+@pytest.mark.parametrize("file", ["line.pcf", "neuron.swc", "vessel.json"])
+def test_files_are_what_they_are_for_the_tool(file, tmp_path):
+    path = EXAMPLES / file
+    built = dupin.build(path)
+    said = tool_says("build", path, "-o", tmp_path / "a.off", code=1 if built.findings else 0)
+    del said["output"]
+    assert built.report == said
+    assert dupin.bill_of_materials(path, density=7850) == tool_says("bom", path, "--density", 7850)
+    gaps = dupin.gaps(path)
+    assert gaps == tool_says("gaps", path, code=1 if gaps["findings"] else 0)
+    certificate = dupin.certify(path)
+    certificate.write(tmp_path / "python.cert")
+    tool_says("certify", path, "-o", tmp_path / "tool.cert", code=1 if certificate.findings else 0)
+    assert (tmp_path / "python.cert").read_bytes() == (tmp_path / "tool.cert").read_bytes()
+    dupin.verify(tmp_path / "tool.cert", path)
+
+
+def test_insulation_is_a_region():
+    document = dupin.Assembly(wall=1).pipe("run", from_=[0, 0, 0], to=[100, 0, 0], radius=10).to_dict()
+    document["insulation"] = 5
+    assert dupin.build(document, region="insulation").volumes["insulation"] == pytest.approx(
+        np.pi * (15**2 - 10**2) * 100, rel=0.05)
+
+
+def test_built_is_a_mesh_and_a_solid():
+    built = dupin.build(reducer())
+    assert dupin.check(built)["solid"] and dupin.as_solid(built).volume == built.solid.volume
+
+
 def test_the_schemas_are_those_of_the_sources():
     for kind in ("assembly", "certificate"):
         assert dupin.schema(kind) == json.loads((ROOT / "io" / f"{kind}.schema.json").read_text())
@@ -222,14 +259,19 @@ def test_other_threads_run_meanwhile():
     assert end - begin > 0.02 and len(during) >= (end - begin) / 0.02
 
 
-def test_an_interrupt_ends_a_build():
-    timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
-    begin = time.perf_counter()
-    with pytest.raises(KeyboardInterrupt):
-        while time.perf_counter() - begin < 20:
-            dupin.build(reducer(), tolerance=0.0005)
-    timer.join()
+def test_an_interrupt_ends_whatever_is_long():
+    solid = dupin.build(reducer(), tolerance=0.001).solid
+    moved = solid.translate([0.25, 0.125, 0.0625])
+    for action in (lambda: dupin.build(reducer(), tolerance=0.0005), lambda: solid.simplify(0.01),
+                   lambda: solid + moved, lambda: solid - moved, lambda: solid & moved,
+                   lambda: dupin.certify(reducer())):
+        timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        begin = time.perf_counter()
+        with pytest.raises(KeyboardInterrupt):
+            while time.perf_counter() - begin < 20:
+                action()
+        timer.join()
 
 
 def test_all_that_is_public_is_described():

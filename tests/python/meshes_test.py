@@ -1,6 +1,7 @@
 """Meshes, solids and set operations on NumPy's arrays."""
 import copy
 import gc
+import os
 import pickle
 import sys
 from fractions import Fraction
@@ -185,6 +186,72 @@ def test_files_come_back_and_bad_ones_are_errors(box, tmp_path):
     assert "bad.off:" in caught.value.where
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         ["bad.off"] + [f"box-{key}" for key in dupin.mesh_formats])
+
+
+def test_names_of_files_are_bytes_of_any_kind_without_a_nul(box, tmp_path):
+    solid = dupin.as_solid(*box())
+    name = os.fsencode(tmp_path) + b"/\xff\xfe.off"
+    for file in (name, os.fsdecode(name)):
+        solid.write(file)
+        assert dupin.read_mesh(file).points.shape == (8, 3) and dupin.as_solid(file).volume == 1
+    with pytest.raises(OSError) as caught:
+        dupin.read_mesh(name + b"x")
+    assert os.fsencode(caught.value.filename) == name + b"x"
+    before = sorted(os.listdir(tmp_path))
+    for action in (lambda file: solid.write(file), dupin.read_mesh, dupin.build,
+                   lambda file: dupin.write_mesh(file, solid), dupin.Assembly().write):
+        with pytest.raises(ValueError, match="NUL"):
+            action(str(tmp_path / "a\0b.off"))
+    assert sorted(os.listdir(tmp_path)) == before
+    with pytest.raises(dupin.errors.ParseFailed):
+        dupin.boolean("a\0 - b", a=solid, b=solid)
+
+
+def test_stl_of_what_touches_itself_is_apart(box, tmp_path):
+    united = dupin.union(box(), box((1, 1, 0), (2, 2, 1)))
+    report = united.write(tmp_path / "a.stl")
+    assert report["settled"]["policy"] == "separate" and 0 < report["settled"]["length"] < 1e-5
+    assert report["contacts"] == [] and dupin.check(tmp_path / "a.stl")["solid"]
+    assert "settled" not in united.write(tmp_path / "a.off")
+
+
+def test_numbers_are_real_and_there(box):
+    solid = dupin.as_solid(*box())
+    for action in (solid.translate, lambda v: solid.rotate(v, 90), lambda v: solid.mesh(origin=v),
+                   lambda v: solid.rotate([0, 0, 1], 90, about=v)):
+        for vector in (np.ma.array([1.0, 2, 3], mask=[1, 0, 0]), [1, 2, 3j], [1, 2], 5, "abc", [[1, 2, 3]]):
+            with pytest.raises(dupin.errors.InvalidArgument):
+                action(vector)
+        action((1, 0, 0))
+
+
+def test_labels_and_units_are_looked_at(box, tmp_path):
+    points, triangles = box()
+    with pytest.raises(dupin.errors.InvalidArgument, match="one for each of the 12 triangles, not 3"):
+        dupin.Mesh(points, triangles, np.zeros(3, int), ["a"])
+    for write in (dupin.as_solid(points, triangles).write, lambda file, unit: dupin.write_mesh(file, box(), unit=unit)):
+        with pytest.raises(dupin.errors.InvalidArgument, match="foo"):
+            write(tmp_path / "a.off", unit="foo")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_long_operations_tell_and_can_be_ended(box):
+    touching = dupin.union(box(), box((1, 1, 0), (2, 2, 1)))
+    (points, triangles), (more, _) = box(), box((0.5, 0.5, 0.5), (2, 2, 2))
+    crossing = np.concatenate([points, more]), np.concatenate([triangles, triangles + 8])
+    for action in (lambda p: touching.separate(0.1, progress=p), lambda p: touching.bridge(0.1, progress=p),
+                   lambda p: touching.simplify(0.1, progress=p), lambda p: dupin.repair(crossing, progress=p),
+                   lambda p: dupin.union(box(), box((0.5, 0.5, 0.5), (2, 2, 2)), progress=p)):
+        stages = []
+        action(lambda stage, fraction: stages.append(stage))
+        assert stages
+        for no in (False, 0, np.False_, ""):
+            with pytest.raises(dupin.errors.Cancelled):
+                action(lambda stage, fraction: no)
+        for yes in (None, True, 1, np.True_, "go on"):
+            action(lambda stage, fraction: yes)
+    with pytest.raises(ValueError, match="ambiguous"):
+        touching.simplify(0.1, progress=lambda stage, fraction: np.zeros(2))
 
 
 def test_simplify_keeps_a_solid(box):
