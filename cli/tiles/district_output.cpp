@@ -150,9 +150,11 @@ void DistrictFile::flush() {
   writing([&] { stream_->flush(); });
 }
 
-OutputReport DistrictFile::commit(MeshHeader header, const RoundingOptions& rounding,
-                                  const NormalsOf& normals) {
+void DistrictFile::require_something(const RoundingOptions& rounding) const {
   require_something_left(report_.rounding, report_.check->triangles, rounding);
+}
+
+OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
   const Vec3& origin = report_.rounding.origin;
   note_origin(origin, header);
   MeshStream::Normals of_piece;

@@ -57,8 +57,9 @@ struct DistrictOutput {
 /// Of a piece that cannot be made with its ends: nothing, at so many seams.
 [[nodiscard]] DistrictOutput unfit_output(std::size_t seams);
 
-/// A file that grows aside, district by district, and what there is to report of it. All functions
-/// throw OutputError. Several processes make it all at once, and the same calls.
+/// A file that grows aside, district by district, and what there is to report of it. Functions
+/// throw OutputError where it cannot be written. Several processes make it all at once, and the
+/// same calls.
 class DistrictFile {
  public:
   explicit DistrictFile(const Destination& to, const Processes* processes = nullptr);
@@ -66,9 +67,10 @@ class DistrictFile {
   void append(DistrictOutput district, std::size_t file = 0);
   /// In another thread, while nothing else is called: commit() waits for less then.
   void flush();
+  /// See require_something_left().
+  void require_something(const RoundingOptions& rounding) const;
   /// The file takes its place. `normals` are asked for where the format has some.
-  [[nodiscard]] OutputReport commit(MeshHeader header, const RoundingOptions& rounding,
-                                    const NormalsOf& normals = {});
+  [[nodiscard]] OutputReport commit(MeshHeader header, const NormalsOf& normals = {});
   /// Nothing takes its place.
   void abandon() { stream_->abandon(); }
   /// Of the solids' labels, before rounding.

@@ -156,9 +156,9 @@ class TiledBuild {
       cache_->trim(cache_size_);
     }
     flushed.get();
+    alike(ranks_, [&] { file.require_something(rounding_); });
     OutputReport report = file.commit(
-        header, rounding_,
-        to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
+        header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);
     return TiledBuilt{std::move(all), std::move(report),
                       cache_ ? cache_->warning() : std::string()};

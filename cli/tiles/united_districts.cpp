@@ -167,7 +167,8 @@ class UnionInTiles {
       file.abandon();
       return std::nullopt;
     }
-    OutputReport report = file.commit({files_.unit, {}}, rounding_);
+    alike(ranks_, [&] { file.require_something(rounding_); });
+    OutputReport report = file.commit({files_.unit, {}});
     seams_.join(*report.check);
     learn_repairs();
     report.repairs = repairs_in(task_.files, repairs_);

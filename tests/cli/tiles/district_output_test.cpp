@@ -69,7 +69,7 @@ TEST(DistrictOutput, file_says_what_all_its_districts_are) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     file.append(district_output(solids[i], boxes, i, to, rounding_of_districts({}, boxes), {}));
   }
-  const OutputReport report = file.commit({"mm", {}}, {});
+  const OutputReport report = file.commit({"mm", {}});
   EXPECT_EQ(report.file, path);
   EXPECT_EQ(report.check->triangles, 24U);
   EXPECT_EQ(report.check->components, 2U);
@@ -100,7 +100,7 @@ TEST(DistrictOutput, file_of_which_rounding_leaves_nothing_is_not_written) {
               for (std::size_t i = 0; i < specks.size(); ++i) {
                 file.append(district_output(specks[i], boxes, i, to, rounding, {}));
               }
-              (void)file.commit({"mm", {}}, rounding);
+              file.require_something(rounding);
             }),
             Errc::unroundable);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
