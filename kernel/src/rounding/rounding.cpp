@@ -580,10 +580,14 @@ Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptio
     if (error.code() != Errc::unroundable) {
       throw;
     }
-    throw rounding::with_larger_tolerance(
+    const Error tried = rounding::with_larger_tolerance(
         error, rounding.tolerance(), rounding.usual_tolerance(), [&](double tolerance) {
           return rounding::rounds(solid.exact(), coordinates, options, tolerance);
         });
+    throw rounding::with_recentring_tried(tried, [&] {
+      return rounding::rounds(solid.exact(), coordinates, rounding::recentred(options),
+                              options.tolerance);
+    });
   }
 }
 

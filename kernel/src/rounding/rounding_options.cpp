@@ -12,7 +12,22 @@
 namespace dupin::rounding {
 namespace {
 
-constexpr std::string_view kLargerTolerance = "a larger tolerance";
+constexpr std::string_view kLargerTolerance = "a larger tolerance",
+                           kRecentring = "recentring (origin auto)",
+                           kRemedies = "; what may help: ", kAnd = ", ";
+
+// Without one of the remedies, and without what leads to them where it is the only one.
+std::string without(std::string message, std::string_view remedy) {
+  std::size_t at = message.find(remedy), size = remedy.size();
+  if (message.compare(at + size, kAnd.size(), kAnd) == 0) {
+    size += kAnd.size();
+  } else {
+    const std::string_view lead = message.substr(0, at).ends_with(kRemedies) ? kRemedies : kAnd;
+    at -= lead.size();
+    size += lead.size();
+  }
+  return message.erase(at, size);
+}
 
 }  // namespace
 
@@ -58,6 +73,14 @@ double largest_of(const RoundingOptions& options, const Vec3& origin) {
                   (box.max() - origin).cwiseAbs().maxCoeff());
 }
 
+RoundingOptions recentred(RoundingOptions options) {
+  options.origin = {.choice = Origin::Choice::automatic, .place = Vec3::Zero()};
+  if (options.whole) {
+    options.whole->largest = 0;
+  }
+  return options;
+}
+
 Error unroundable_error(const Unroundable& what) {
   std::string message =
       what.is_nothing
@@ -70,7 +93,7 @@ Error unroundable_error(const Unroundable& what) {
     remedies.emplace_back("a finer grid, or none");
   } else {
     if (what.is_far) {
-      remedies.emplace_back("recentring (origin auto)");
+      remedies.emplace_back(kRecentring);
     }
     if (what.coordinates == Coordinates::binary32) {
       remedies.emplace_back("a format that holds doubles (OFF, OBJ, PLY instead of STL)");
@@ -80,7 +103,7 @@ Error unroundable_error(const Unroundable& what) {
     remedies.emplace_back(kLargerTolerance);
   }
   for (std::size_t i = 0; i < remedies.size(); ++i) {
-    message += (i == 0 ? "; what may help: " : ", ") + remedies[i];
+    message += std::string(i == 0 ? kRemedies : kAnd) + remedies[i];
   }
   return Error(Errc::unroundable, message, {}, decimal(what.at));
 }
@@ -100,9 +123,18 @@ Error with_larger_tolerance(const Error& error, double tolerance, double usual,
     tries.push_back(usual);
   }
   const auto found = std::ranges::find_if(tries, would_do);
-  const std::string tried = found == tries.end() ? decimal_at_least(tries.back()) + " would not do"
-                                                 : decimal_at_most(*found) + " would do";
-  return Error(error.code(), error.message() + " (" + tried + ")", error.part(), error.where());
+  const std::string message =
+      found == tries.end() ? without(error.message(), kLargerTolerance) + "; a tolerance of " +
+                                 decimal_at_least(tries.back()) + " would not do"
+                           : error.message() + " (" + decimal_at_most(*found) + " would do)";
+  return Error(error.code(), message, error.part(), error.where());
+}
+
+Error with_recentring_tried(const Error& error, const std::function<bool()>& would_do) {
+  const bool is_asked_for = error.message().find(kRecentring) != std::string::npos;
+  return !is_asked_for || would_do() ? error
+                                     : Error(error.code(), without(error.message(), kRecentring),
+                                             error.part(), error.where());
 }
 
 }  // namespace dupin::rounding

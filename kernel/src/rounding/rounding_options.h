@@ -21,6 +21,9 @@ void validate(const RoundingOptions& options);
 /// none.
 [[nodiscard]] double largest_of(const RoundingOptions& options, const Vec3& origin);
 
+/// The same, about an origin in the middle of the whole.
+[[nodiscard]] RoundingOptions recentred(RoundingOptions options);
+
 /// What there is to say of a solid that no mesh stands for on the numbers of a format.
 struct Unroundable {
   Vec3 at = Vec3::Zero();  ///< a place where it fails
@@ -39,5 +42,9 @@ struct Unroundable {
 /// `usual`, which is taken where none is asked for.
 [[nodiscard]] Error with_larger_tolerance(const Error& error, double tolerance, double usual,
                                           const std::function<bool(double)>& would_do);
+
+/// The same error; where it asks for recentring, without that if it would not do.
+[[nodiscard]] Error with_recentring_tried(const Error& error,
+                                          const std::function<bool()>& would_do);
 
 }  // namespace dupin::rounding

@@ -115,12 +115,44 @@ TEST(WithLargerTolerance, tries_a_few_and_the_usual_one) {
   tried.clear();
   EXPECT_TRUE(with_larger_tolerance(error, 0.5, 10, above(100))
                   .message()
-                  .ends_with("a larger tolerance (32 would not do)"));
+                  .ends_with("the tolerance of 0.5; a tolerance of 32 would not do"));
   EXPECT_EQ(tried, (std::vector<double>{2, 8, 32}));
   tried.clear();
   const Error nothing = unroundable_error({.at = {1, 2, 3}, .is_nothing = true});
   EXPECT_EQ(with_larger_tolerance(nothing, 0.5, 10, above(1)).message(), nothing.message());
   EXPECT_TRUE(tried.empty());
+}
+
+TEST(WithRecentringTried, names_it_only_where_it_would_do) {
+  Unroundable what{
+      .at = {1, 2, 3}, .tolerance = 0.5, .coordinates = Coordinates::binary32, .is_far = true};
+  const Error far = unroundable_error(what);
+  EXPECT_EQ(with_recentring_tried(far, [] { return true; }).message(), far.message());
+  EXPECT_TRUE(with_recentring_tried(far, [] { return false; })
+                  .message()
+                  .ends_with("of 0.5; what may help: a format that holds doubles (OFF, OBJ, PLY "
+                             "instead of STL), a larger tolerance"));
+  what.coordinates = Coordinates::binary64;
+  what.is_nothing = true;
+  EXPECT_TRUE(with_recentring_tried(unroundable_error(what), [] { return false; })
+                  .message()
+                  .ends_with("the numbers of the target format can tell"));
+  const auto never = [] {
+    ADD_FAILURE() << "not asked for";
+    return false;
+  };
+  what.is_far = false;
+  EXPECT_EQ(with_recentring_tried(unroundable_error(what), never).message(),
+            unroundable_error(what).message());
+}
+
+TEST(Recentred, is_about_the_middle_of_the_whole) {
+  RoundingOptions options{.origin = {Origin::Choice::given, Vec3(9, 9, 9)}};
+  options.whole = {.box = {Vec3(0, 0, 0), Vec3(64, 32, 16)}, .largest = 1024};
+  const RoundingOptions there = recentred(options);
+  const Vec3 origin = chosen_origin(there, std::vector{Vec3(1, 2, 3)});
+  EXPECT_EQ(origin, Vec3(32, 16, 8));
+  EXPECT_EQ(largest_of(there, origin), 32);
 }
 
 }  // namespace
