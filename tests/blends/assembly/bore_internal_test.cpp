@@ -515,8 +515,18 @@ TEST(Bore, that_there_is_not_is_refused_with_the_reason) {
        ": there is no wall where an open end of 'b' is cut; that end must be elsewhere, or 'b' "
        "without a bore (\"wall\": 0)"},
   };
-  Assembly& broken = rows.back().assembly;
-  broken.parts[1] = pipe("b", {8.5, 0, 0}, {20, 0, 0}, 3);
+  rows.back().assembly.parts[1] = pipe("b", {8.5, 0, 0}, {20, 0, 0}, 3);
+  const Assembly broken = rows.back().assembly;
+  // It comes back over the open end of its neighbour.
+  rows.push_back(
+      {"broken by a neighbour",
+       walled(
+           {pipe("a", {-40, 0, 0}, {0, 0, 0}, 19),
+            part("b",
+                 ElbowTurning{
+                     PortReference{"a", End::end}, 54, 327 * std::numbers::pi / 180, {0, 1, 0}})},
+           4),
+       Errc::infeasible_blend, "/parts/1", ": there is no wall where an open end of 'a' is cut"});
   for (const Refused& row : rows) {
     SCOPED_TRACE(row.name);
     try {

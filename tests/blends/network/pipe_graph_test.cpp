@@ -147,6 +147,38 @@ TEST(PipeGraph, a_build_that_is_to_keep_going_replaces_what_is_refused) {
   EXPECT_THROW((void)build(graph, {.radius = 1}, once), Error);
 }
 
+TEST(PipeGraph, what_a_build_refuses_has_the_line_of_its_node_or_edge) {
+  PipeGraph graph =
+      graph_of({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {40, 40, 10}}, {{0, 1}, {1, 2}, {2, 3}});
+  graph.source = "a.graph";
+  for (std::size_t i = 0; i < 4; ++i) {
+    graph.nodes[i].line = 10 + i;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    graph.edges[i].line = 20 + i;
+  }
+  const PipeGraphOptions options{.radius = 1};
+  for (const auto& [name, place] :
+       {std::pair("node 1", "a.graph:11"), {"edge 1-2", "a.graph:21"}}) {
+    PipeNetwork network = assembly_of(graph, options);
+    Part& part = *std::ranges::find(network.assembly.parts, name, &Part::name);
+    if (part.name == "edge 1-2") {
+      part.wall = 2;
+    } else {
+      part.shape = CyclicBlendBetween{
+          {"edge 0-1", End::end}, {"edge 1-2", End::start}, {BlendLaw::r1, 0.01, 99}};
+    }
+    try {
+      (void)build(graph, options, network);
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.part(), name);
+      EXPECT_EQ(error.where(), place);
+      EXPECT_THAT(error.message(), HasSubstr("; --keep-going does without it"));
+    }
+  }
+}
+
 // The ball lies within the bore of a cone that leads to it.
 TEST(PipeGraph, a_build_with_walls_that_is_to_keep_going_leaves_out_balls_that_are_refused) {
   PipeGraph graph =

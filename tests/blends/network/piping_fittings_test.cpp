@@ -150,5 +150,23 @@ TEST(PipingFittings, notes_branches_without_length_and_branches_of_nothing) {
   EXPECT_THAT(said, testing::Not(HasSubstr("c3")));
 }
 
+// As wide as the run, which ends before the branch does: of what the file says, no patch is.
+TEST(PipingFittings, branches_that_reach_out_of_their_run_are_refused_for_that) {
+  Line line;
+  line.pipe({0, 0, 0}, {300, 0, 0})
+      .tee({300, 0, 0}, {345, 0, 0}, {390, 0, 0}, {345, 0, 105}, 50, 50);
+  PipingOptions options{.wall = 3};
+  PipingNetwork network = line.made(options);
+  try {
+    (void)build(line.line(), options, network);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "a.pcf:20");
+    EXPECT_THAT(error.message(), HasSubstr("its end 'c1-branch.start' is to lie inside of what it "
+                                           "branches off, and reaches out of that"));
+    EXPECT_THAT(error.message(), testing::Not(HasSubstr("another name")));
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test
