@@ -322,6 +322,10 @@ class ChainMaker {
       } else if (leg.is_offset) {
         leg.direction = direction_behind(end);
       }
+      if (leg.is_offset) {  // beside others that are, one may lead along the axis
+        const Vec3 own = way(spans_, leg.elements[0]);
+        leg.is_offset = !is_straight(own, own.norm() * leg.direction, snap_);
+      }
       leg.nodes.reserve(end - begin + 1);
       for (std::size_t i = begin; i <= end; ++i) {
         leg.nodes.push_back((node(i, begin, end) - leg.origin).dot(leg.direction));

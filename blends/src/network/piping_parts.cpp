@@ -115,8 +115,8 @@ class ChainParts {
     const Vec3 to = point_at(leg, stretch.levels[1]);
     const bool goes_on = port_.has_value();
     const PipingComponent& component = line_.components[stretch.component];
-    if (component.is_eccentric && !leg.is_offset && stretch.name == component.name &&
-        stretch.radii[0] != stretch.radii[1]) {
+    if (component.is_eccentric && !component.kind.ends_with("CONCENTRIC") && !leg.is_offset &&
+        stretch.name == component.name && stretch.radii[0] != stretch.radii[1]) {
       notes_.add(component,
                  "has no flat side, as its neighbours do not lie beside each other; a concentric "
                  "cone takes its place");

@@ -301,6 +301,31 @@ TEST(PipingLine, keeps_eccentric_parts_in_a_row_flat) {
   }
 }
 
+TEST(PipingLine, makes_cones_of_what_leads_along_the_axis_between_eccentric_parts) {
+  Line line;
+  line.pipe({-500, 0, 0}, {0, 0, 0});
+  const auto reducer = [&](const Vec3& from, const Vec3& to, double radius, double next) {
+    line.add(PipingShape::straight, {from, to}, radius).last().is_eccentric = true;
+    line.last().ports[1].radius = next;
+    line.last().kind = from.z() == to.z() ? "REDUCER-CONCENTRIC" : "REDUCER-ECCENTRIC";
+  };
+  reducer({0, 0, 0}, {100, 0, 10}, 50, 40);
+  reducer({100, 0, 10}, {200, 0, 10}, 40, 30);
+  reducer({200, 0, 10}, {300, 0, 20}, 30, 20);
+  line.pipe({300, 0, 20}, {400, 0, 20}, 20);
+  reducer({400, 0, 20}, {500, 0, 20}, 20, 30);
+  line.pipe({500, 0, 20}, {900, 0, 20}, 30);
+  const PipingNetwork network = line.made();
+  std::vector<std::string_view> kinds;
+  for (const Part& part : network.assembly.parts) {
+    kinds.push_back(kind(part.shape));
+  }
+  EXPECT_EQ(kinds, (std::vector<std::string_view>{"pipe", "oblique", "cone", "oblique", "pipe",
+                                                  "cone", "pipe"}));
+  EXPECT_EQ(notes(network), "") << "concentric is what they are called";
+  (void)solid(network);
+}
+
 TEST(PipingLine, notes_eccentric_parts_in_a_row_that_nothing_tells_the_axis_of) {
   Line line;
   line.add(PipingShape::straight, {{0, 0, 0}, {100, 0, 20}}).last().is_eccentric = true;
