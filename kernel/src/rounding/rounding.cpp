@@ -539,14 +539,15 @@ double Rounding::largest_move(double from_doubles) const {
 }
 
 Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
-  const double size =
-      (options_.whole ? options_.whole->box : boxes::bounds_of(doubles())).sizes().maxCoeff();
+  const Eigen::AlignedBox3d box =
+      options_.whole ? options_.whole->box : boxes::bounds_of(doubles());
+  const bool is_far = box.sizes().maxCoeff() < rounded_.largest;
   return unroundable_error(
       {.at = at + origin_ + past_.origin,
        .tolerance = tolerance_,
        .coordinates = coordinates_,
-       .is_far = size<rounded_.largest, .is_on_output_grid = options_.output_grid> 0 &&
-                 step_ == options_.output_grid,
+       .is_far = is_far,
+       .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
        .is_nothing = is_nothing});
 }
 
