@@ -22,6 +22,10 @@ constexpr double kSharpTurn = 50 * std::numbers::pi / 180;
 /// A region to which the surface turns by more may lie back on its neighbour; steps turn by a right
 /// angle.
 constexpr double kFold = 120 * std::numbers::pi / 180;
+/// Creases that are deeper, in distances, are kept: less deep ones take fewer triangles without.
+constexpr double kDeep = 4;
+/// What turns by less at every edge within is flat.
+constexpr double kFlat = 1e-3;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -89,13 +93,13 @@ struct SharpEdge {
 
 class Finder {
  public:
-  Finder(const TriMesh& mesh, double angle, double distance)
+  Finder(const TriMesh& mesh, double angle, double distance, double largest_edge)
       : mesh_(mesh),
         length_(2 * distance),
         edges_(mesh.triangles, mesh.points.size()),
         at_(mesh.points.size()) {
     features_.normals = normals_of(mesh, edges_);
-    find_sharp_edges(angle);
+    find_sharp_edges(angle, distance, largest_edge);
     find_regions();
     absorb_thin_regions(distance / 4);
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
@@ -129,15 +133,51 @@ class Finder {
   }
 
  private:
-  void find_sharp_edges(double angle) {
+  void find_sharp_edges(double angle, double distance, double largest_edge) {
+    std::vector<double> turns(edges_.size());
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      const auto [f, g] = faces_at(e);
+      turns[e] = angle_between(features_.normals[f], features_.normals[g]);
+    }
+    const std::vector<double> widths = widths_of_flats(turns);
     is_sharp_.assign(edges_.size(), 0);
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-      const mesh::Edge edge = edges_[e];
-      const std::uint32_t f = edge.half_edges[0] / 3, g = edge.half_edges[1] / 3;
+      const auto [f, g] = faces_at(e);
       const bool is_border = !mesh_.labels.empty() && mesh_.labels[f] != mesh_.labels[g];
-      is_sharp_[e] =
-          is_border || angle_between(features_.normals[f], features_.normals[g]) > angle ? 1 : 0;
+      // A triangle across it has its middle so far from it.
+      const double length = std::min({largest_edge, widths[f], widths[g]});
+      const double depth = turns[e] > kFlat ? length / 4 * std::tan(turns[e] / 2) : 0;
+      is_sharp_[e] = is_border || turns[e] > angle || depth > kDeep * distance ? 1 : 0;
     }
+  }
+
+  /// Per triangle, the width of what is flat about it, were it a strip; `turns` are those at edges.
+  [[nodiscard]] std::vector<double> widths_of_flats(const std::vector<double>& turns) const {
+    const std::size_t faces = mesh_.triangles.size();
+    support::DisjointSets flats(faces);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (turns[e] <= kFlat) {
+        const auto [f, g] = faces_at(e);
+        flats.unite(f, g);
+      }
+    }
+    std::vector<double> areas(faces, 0), borders(faces, 0), widths(faces);
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      areas[flats.find(f)] += area_of(f);
+    }
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (turns[e] > kFlat) {
+        const double length = (mesh_.points[edges_[e].low] - mesh_.points[edges_[e].high]).norm();
+        for (const std::uint32_t f : faces_at(e)) {
+          borders[flats.find(f)] += length;
+        }
+      }
+    }
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      const std::uint32_t flat = flats.find(f);
+      widths[f] = borders[flat] > 0 ? 2 * areas[flat] / borders[flat] : 0;
+    }
+    return widths;
   }
 
   void find_regions() {
@@ -145,7 +185,7 @@ class Finder {
     std::vector<std::vector<std::uint32_t>> smooth(faces);
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
       if (is_sharp_[e] == 0) {
-        const std::uint32_t f = edges_[e].half_edges[0] / 3, g = edges_[e].half_edges[1] / 3;
+        const auto [f, g] = faces_at(e);
         smooth[f].push_back(g);
         smooth[g].push_back(f);
       }
@@ -173,9 +213,17 @@ class Finder {
     }
   }
 
-  [[nodiscard]] std::array<std::uint32_t, 2> regions_at(std::uint32_t edge) const {
+  [[nodiscard]] std::array<std::uint32_t, 2> faces_at(std::uint32_t edge) const {
     const auto& sides = edges_[edge].half_edges;
-    return {features_.regions[sides[0] / 3], features_.regions[sides[1] / 3]};
+    return {sides[0] / 3, sides[1] / 3};
+  }
+  [[nodiscard]] double area_of(std::uint32_t face) const {
+    const auto& [a, b, c] = corners_of(face);
+    return (b - a).cross(c - a).norm() / 2;
+  }
+  [[nodiscard]] std::array<std::uint32_t, 2> regions_at(std::uint32_t edge) const {
+    const auto [f, g] = faces_at(edge);
+    return {features_.regions[f], features_.regions[g]};
   }
 
   /// Of regions.
@@ -189,15 +237,13 @@ class Finder {
     std::vector<Extent> extents(
         1 + static_cast<std::size_t>(*std::ranges::max_element(features_.regions)));
     for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
-      const auto& [a, b, c] = corners_of(f);
-      extents[features_.regions[f]].area += (b - a).cross(c - a).norm() / 2;
+      extents[features_.regions[f]].area += area_of(f);
     }
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
       const auto [r, s] = regions_at(e);
       if (r != s) {
-        const auto& sides = edges_[e].half_edges;
-        const double turn =
-            angle_between(features_.normals[sides[0] / 3], features_.normals[sides[1] / 3]);
+        const auto [f, g] = faces_at(e);
+        const double turn = angle_between(features_.normals[f], features_.normals[g]);
         for (const auto& [own, other] : {std::pair(r, s), std::pair(s, r)}) {
           extents[own].border +=
               (mesh_.points[edges_[e].low] - mesh_.points[edges_[e].high]).norm();
@@ -417,8 +463,8 @@ class Finder {
 
 }  // namespace
 
-Features find_features(const TriMesh& mesh, double angle, double distance) {
-  return Finder(mesh, angle, distance).run();
+Features find_features(const TriMesh& mesh, double angle, double distance, double largest_edge) {
+  return Finder(mesh, angle, distance, largest_edge).run();
 }
 
 }  // namespace dupin::meshing

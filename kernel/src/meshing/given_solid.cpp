@@ -44,12 +44,12 @@ GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
     : solid_(solid),
       mesh_(to_mesh(solid).mesh()),
       options_(bounded(options, mesh_)),
-      features_(find_features(mesh_, options_.feature_angle, options_.distance)),
+      diagonal_(boxes::bounds_of(mesh_.points).diagonal().norm()),
+      largest_edge_(options_.largest_edge > 0 ? options_.largest_edge : diagonal_ / 10),
+      features_(find_features(mesh_, options_.feature_angle, options_.distance, largest_edge_)),
       surface_(mesh_.points, mesh_.triangles, features_.regions),
       region_count_(1 + *std::ranges::max_element(features_.regions)) {
   const Eigen::AlignedBox3d box = boxes::bounds_of(mesh_.points);
-  diagonal_ = box.diagonal().norm();
-  largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : diagonal_ / 10;
   // Covers the rounding of a distance, and of cuts, tenfold.
   slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
 }

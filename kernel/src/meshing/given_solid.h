@@ -62,10 +62,11 @@ class GivenSolid {
   const Solid& solid_;
   TriMesh mesh_;
   RemeshOptions options_;  // no lengths are larger than the solid
+  double diagonal_, largest_edge_;
   Features features_;
   ReferenceSurface surface_;
   std::uint32_t region_count_ = 0;
-  double diagonal_ = 0, largest_edge_ = 0, slack_ = 0;
+  double slack_ = 0;
 };
 
 }  // namespace dupin::meshing

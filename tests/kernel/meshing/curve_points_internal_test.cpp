@@ -15,7 +15,7 @@ namespace {
 struct Case {
   explicit Case(TriMesh given, double largest = 1, double distance = 0.01)
       : mesh(std::move(given)),
-        features(find_features(mesh, 0.7, 0.01)),
+        features(find_features(mesh, 0.7, 0.01, 0)),
         surface(mesh.points, mesh.triangles, features.regions),
         lengths(surface, features, distance, largest),
         shares(features.curves.size(), 1) {}

@@ -23,7 +23,7 @@ Refinement refinement(double length) {
 }
 
 Tetrahedra refined(const TriMesh& mesh, const Refinement& wanted) {
-  return refine(mesh, find_features(mesh, 0.7, 0.01), wanted, {});
+  return refine(mesh, find_features(mesh, 0.7, 0.01, 0), wanted, {});
 }
 
 double volume(const Tetrahedra& mesh) {
@@ -64,7 +64,7 @@ TEST(DelaunayRefinement, does_not_depend_on_the_unit) {
     }
     Refinement wanted = refinement(0.5 * unit);
     wanted.distance *= unit;
-    Features features = find_features(test::tube(2, 0, 6, 32), 0.7, 0.01);
+    Features features = find_features(test::tube(2, 0, 6, 32), 0.7, 0.01, 0);
     for (Curve& curve : features.curves) {
       for (Vec3& point : curve.points) {
         point *= unit;
@@ -100,7 +100,7 @@ TEST(DelaunayRefinement, ends_at_the_number_of_points_allowed) {
 
 TEST(DelaunayRefinement, begins_at_seeds_where_there_are_no_curves) {
   const TriMesh mesh = test::tube(2, 0, 6, 32);
-  const Features none = find_features(mesh, 3, 0.01);
+  const Features none = find_features(mesh, 3, 0.01, 0);
   ASSERT_TRUE(none.curves.empty());
   Refinement wanted = refinement(0.5);
   wanted.distance = 0.3;

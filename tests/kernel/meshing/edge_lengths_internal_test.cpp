@@ -11,7 +11,7 @@ namespace {
 struct Case {
   explicit Case(TriMesh given)
       : mesh(std::move(given)),
-        features(find_features(mesh, 0.7, 0.01)),
+        features(find_features(mesh, 0.7, 0.01, 0)),
         surface(mesh.points, mesh.triangles, features.regions) {}
   TriMesh mesh;
   Features features;

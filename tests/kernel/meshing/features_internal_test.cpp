@@ -13,7 +13,7 @@ using dupin::test::box;
 using dupin::test::tube;
 
 TEST(Features, of_a_box_are_its_edges) {
-  const Features features = find_features(box(Vec3::Zero(), Vec3(1, 2, 3)), 0.7, 0.01);
+  const Features features = find_features(box(Vec3::Zero(), Vec3(1, 2, 3)), 0.7, 0.01, 0);
   EXPECT_EQ(features.curves.size(), 12U);
   EXPECT_EQ(*std::ranges::max_element(features.regions), 5U);
   for (const Curve& curve : features.curves) {
@@ -23,7 +23,7 @@ TEST(Features, of_a_box_are_its_edges) {
 }
 
 TEST(Features, of_a_tube_are_two_loops) {
-  const Features features = find_features(tube(1, 0, 4, 64), 0.7, 0.01);
+  const Features features = find_features(tube(1, 0, 4, 64), 0.7, 0.01, 0);
   ASSERT_EQ(features.curves.size(), 2U);
   for (const Curve& curve : features.curves) {
     ASSERT_EQ(curve.points.size(), 65U);
@@ -33,16 +33,24 @@ TEST(Features, of_a_tube_are_two_loops) {
   EXPECT_EQ(*std::ranges::max_element(features.regions), 2U);
 }
 
+TEST(Features, are_creases_that_would_need_tiny_triangles) {
+  // Ten sides turn by 0.63 each: triangles as wide as they are miss an edge between by 0.05.
+  const TriMesh prism = tube(1, 0, 4, 10);
+  EXPECT_EQ(find_features(prism, 0.7, 0.01, 1).curves.size(), 30U);
+  EXPECT_EQ(find_features(prism, 0.7, 0.02, 1).curves.size(), 2U);
+  EXPECT_EQ(find_features(prism, 0.7, 0.01, 0.1).curves.size(), 2U) << "these are smaller anyway";
+}
+
 TEST(Features, are_borders_between_labels_too) {
   TriMesh mesh = tube(1, 0, 4, 64);
-  EXPECT_TRUE(find_features(mesh, 3, 0.01).curves.empty());
+  EXPECT_TRUE(find_features(mesh, 3, 0.01, 0).curves.empty());
   mesh.names = {"wall", "end"};
   for (const Triangle& t : mesh.triangles) {
     const bool is_end = mesh.points[t[0]].z() == mesh.points[t[1]].z() &&
                         mesh.points[t[0]].z() == mesh.points[t[2]].z();
     mesh.labels.push_back(is_end ? 1 : 0);
   }
-  EXPECT_EQ(find_features(mesh, 3, 0.01).curves.size(), 2U);
+  EXPECT_EQ(find_features(mesh, 3, 0.01, 0).curves.size(), 2U);
 }
 
 TEST(Features, have_corners_where_curves_turn_sharply) {
@@ -55,7 +63,7 @@ TEST(Features, have_corners_where_curves_turn_sharply) {
     };
     mesh.labels.push_back(all_at(1) ? 1 : all_at(0) ? 2 : 0);
   }
-  const Features features = find_features(mesh, 3, 0.01);
+  const Features features = find_features(mesh, 3, 0.01, 0);
   std::size_t edges = 0;
   for (const Curve& curve : features.curves) {
     edges += curve.points.size() - 1;
@@ -75,7 +83,7 @@ TEST(Features, normals_of_triangles_without_height_are_those_beside_them) {
   mesh.triangles[0] = {first[0], first[1], middle};
   mesh.triangles.push_back({first[1], first[2], middle});
   mesh.triangles.push_back({first[2], first[0], middle});
-  const Features features = find_features(mesh, 0.7, 0.01);
+  const Features features = find_features(mesh, 0.7, 0.01, 0);
   for (const std::size_t f :
        {std::size_t{0}, mesh.triangles.size() - 2, mesh.triangles.size() - 1}) {
     EXPECT_NEAR(features.normals[f].dot(Vec3(0, 0, -1)), 1, 1e-9);
@@ -97,9 +105,9 @@ TEST(Features, thin_regions_become_part_of_their_neighbours) {
       break;
     }
   }
-  const Features fine = find_features(mesh, 0.7, 1e-6);
+  const Features fine = find_features(mesh, 0.7, 1e-6, 0);
   EXPECT_EQ(*std::ranges::max_element(fine.regions), 3U);
-  const Features coarse = find_features(mesh, 0.7, 1);
+  const Features coarse = find_features(mesh, 0.7, 1, 0);
   EXPECT_EQ(*std::ranges::max_element(coarse.regions), 2U);
   EXPECT_GT(coarse.absorbed, 0);
   EXPECT_LE(coarse.absorbed, 0.25);

@@ -62,6 +62,15 @@ TEST(Remesh, of_a_tube_has_the_angle_asked_for) {
   EXPECT_LT(test::smallest_angle(to_mesh(given).mesh()), 3 * kDegree);
 }
 
+TEST(Remesh, of_a_prism_keeps_its_creases_rather_than_to_have_tiny_triangles_there) {
+  const Solid given = Solid::from(tube(5, 0, 20, 10));
+  Remeshed made;
+  const TriMesh after =
+      expect_remeshed(given, {.distance = 0.01, .largest_edge = 1}, made);  // turns by 36 degrees
+  EXPECT_EQ(made.report.poor_triangles, 0U);
+  EXPECT_LT(static_cast<double>(after.triangles.size()), 20 * given.area());
+}
+
 TEST(Remesh, keeps_the_patches_of_a_union) {
   const Solid run = Solid::from(labelled(tube(10, 0, 60, 96), "run"));
   const Solid branch = Solid::from(labelled(moved(tube(4, 0, 60, 64), Vec3(3, 0, 30)), "branch"));

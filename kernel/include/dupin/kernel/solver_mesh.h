@@ -21,7 +21,9 @@ struct RemeshOptions {
   double largest_edge = 0;
   /// Of triangles, as far as sharp edges allow; at most 30 degrees.
   double smallest_angle = 25 * std::numbers::pi / 180;
-  /// Edges where the surface turns by more are sharp, and kept. So are borders between labels.
+  /// Edges where the surface turns by more are sharp, and kept. So are borders between labels, and
+  /// creases of coarse meshes that triangles of `largest_edge` would miss by far more than
+  /// `distance`.
   double feature_angle = 40 * std::numbers::pi / 180;
   /// Of points; beyond, Error{limit_exceeded}.
   std::size_t most_points = 4'000'000;
