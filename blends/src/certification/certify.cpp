@@ -324,7 +324,7 @@ class Certifier {
           options_.most_triangles);
       if (!fillet.shape.is_cope()) {
         claims[i] = assembly::with_part_context(assembly_, fillet.index, [&] {
-          return fillet_claims(&loops_[first_loop[i]], meshes[i], work);
+          return fillet_claims(&loops_[first_loop[i]], fillet.between, meshes[i], work);
         });
       }
     });
@@ -365,8 +365,10 @@ class Certifier {
   }
 
   [[nodiscard]] std::vector<LoopClaims> fillet_claims(
-      verification::LoopArcs* loops, const std::vector<surfaces::FilletMesh>& meshes,
-      ClaimWork& work) const {
+      verification::LoopArcs* loops, const std::array<std::uint32_t, 2>& pipes,
+      const std::vector<surfaces::FilletMesh>& meshes, ClaimWork& work) const {
+    const std::array<Ring, 2> starts{solids_[pipes[0]].pieces().front().start,
+                                     solids_[pipes[1]].pieces().front().start};
     std::vector<LoopClaims> claims;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       loops[i].cells.clear();
@@ -374,7 +376,7 @@ class Certifier {
           certification::prove_loop(*loops[i].loop,
                                     {meshes[i].tessellation.knots, meshes[i].columns, grid_},
                                     {options_.margin, options_.boxes, assembly_.tolerance}),
-          loops[i], work));
+          loops[i], starts, assembly_.tolerance, work));
     }
     return claims;
   }
@@ -405,9 +407,10 @@ class Certifier {
               : clearance(first, second, work);
       claim.first = first;
       claim.second = second;
-      result_.clearances[i] =
-          is_at_hub ? certification::agreed_at_hub(std::move(claim), solids_, work)
-                    : certification::agreed(std::move(claim), result_.parts, solids_, work);
+      result_.clearances[i] = is_at_hub
+                                  ? certification::agreed_at_hub(std::move(claim), solids_, work)
+                                  : certification::agreed(std::move(claim), result_.parts, solids_,
+                                                          assembly_.tolerance, work);
     });
   }
 

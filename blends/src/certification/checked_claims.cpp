@@ -27,16 +27,26 @@ Solid admitted(const CertifiedPart& part, ClaimWork& work) {
   return Solid(part);
 }
 
-LoopClaims agreed(LoopClaims claims, LoopArcs& loop, ClaimWork& work) {
+LoopClaims agreed(LoopClaims claims, LoopArcs& loop, const std::array<Ring, 2>& starts,
+                  double tolerance, ClaimWork& work) {
   work.allow_checks(verification::work_for_loop());
   std::optional<std::vector<verification::ArcCell>> cells;
   const auto lacks = [&](std::uint64_t allowance, const auto& check) {
     return !work.holds(allowance, check);
   };
-  if (lacks(0, [&] { return verification::follows(*loop.loop, claims.contact); })) {
+  bool is_between = false;
+  if (lacks(0, [&] {
+        is_between = verification::touches_between(*loop.loop, starts, tolerance);
+        return verification::follows(*loop.loop, claims.contact);
+      })) {
     throw Error(Errc::limit_exceeded,
                 "to check its fillets takes more work than a certificate may; choose several "
                 "documents with fewer");
+  }
+  if (!is_between) {
+    throw Error(Errc::invalid_argument,
+                "the ball that rolls along it touches a pipe beyond its end by more than the "
+                "tolerance; make the pipe longer, or the fillet smaller");
   }
   if (lacks(verification::work_for_arcs(claims.regular), [&] {
         cells = verification::regular_cells(*loop.loop, claims.regular);
@@ -100,7 +110,7 @@ TangencyClaim agreed(TangencyClaim claim, const PieceEnd& at, double tolerance, 
     }
   }
   const Ring& ring = at.end == End::end ? its.end : its.start;
-  if (!is_so || !verification::is_near(claim, ring, tolerance)) {
+  if (!is_so || !verification::is_near(claim, ring, solid.size_of_piece(at.piece), tolerance)) {
     if (work.lacks_work()) {
       throw Error(Errc::limit_exceeded,
                   "to check how its pieces meet takes more work than a certificate may; choose "
@@ -207,11 +217,11 @@ ClearanceClaim nearer(ClearanceClaim claim, ClaimWork& work, const Follows& foll
 }  // namespace
 
 ClearanceClaim agreed(ClearanceClaim claim, const std::vector<CertifiedPart>& parts,
-                      const std::vector<Solid>& solids, ClaimWork& work) {
+                      const std::vector<Solid>& solids, double tolerance, ClaimWork& work) {
   if (claim.verdict == Verdict::undecided) {
     return claim;
   }
-  const auto joints = verification::joints(solids, parts, claim.first, claim.second);
+  const auto joints = verification::joints(solids, parts, claim.first, claim.second, tolerance);
   return nearer(std::move(claim), work, [&](const ClearanceClaim& weaker) {
     return verification::follows(solids[weaker.first], solids[weaker.second], joints, weaker);
   });

@@ -63,8 +63,11 @@ struct MeshRooms {
                                                      ClaimWork& work);
 
 /// A loop of a fillet, which outlives what is read of it. What does not follow is undecided, but
-/// for the contact, which does.
-[[nodiscard]] LoopClaims agreed(LoopClaims claims, LoopArcs& loop, ClaimWork& work);
+/// for the contact, which does. Throws Error{invalid_argument} where the ball touches beyond the
+/// ends of the pipes, of which `starts` are the rings that are no quadrics of the loop.
+[[nodiscard]] LoopClaims agreed(LoopClaims claims, LoopArcs& loop,
+                                const std::array<Ring, 2>& starts, double tolerance,
+                                ClaimWork& work);
 
 /// The pairs of parts that need a claim of their own where all others are claimed to be so far
 /// from each other; none: to tell takes too much work.
@@ -76,7 +79,8 @@ struct MeshRooms {
     ClaimWork& work);
 
 [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim, const std::vector<CertifiedPart>& parts,
-                                    const std::vector<Solid>& solids, ClaimWork& work);
+                                    const std::vector<Solid>& solids, double tolerance,
+                                    ClaimWork& work);
 /// Of an arm and its hub.
 [[nodiscard]] ClearanceClaim agreed_at_hub(ClearanceClaim claim, const std::vector<Solid>& solids,
                                            ClaimWork& work);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "surfaces/moving_disc.h"
 #include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::certification {
@@ -27,19 +28,42 @@ constexpr std::size_t kManyPieces = 16;
 
 bool is_run(const ParameterInterval& t) { return t.to - t.from > 1; }
 
+void extend(Eigen::AlignedBox3d& box, const numbers::IntervalVec& center, double radius) {
+  const Vec3 around = Vec3::Constant(radius);
+  box.extend(Vec3(Vec3(center[0].lower, center[1].lower, center[2].lower) - around));
+  box.extend(Vec3(Vec3(center[0].upper, center[1].upper, center[2].upper) + around));
+}
+
 // Of the pieces's discs, in quarters; infinite where nothing is known.
 Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& piece) {
   constexpr int kQuarters = 4;
   Eigen::AlignedBox3d box;
   for (int i = 0; i < kQuarters; ++i) {
     const DiscHull hull = piece.hull(part_of({0, 1}, i, kQuarters));
-    const Vec3 around = Vec3::Constant(hull.radius.upper);
     for (const numbers::IntervalVec& c : hull.centers) {
-      box.extend(Vec3(Vec3(c[0].lower, c[1].lower, c[2].lower) - around));
-      box.extend(Vec3(Vec3(c[0].upper, c[1].upper, c[2].upper) + around));
+      extend(box, c, hull.radius.upper);
     }
   }
   return box;
+}
+
+// None where the rim does not reach beyond the disc, as those across a spine never do, and
+// everywhere where nothing is known.
+std::optional<numbers::IntervalVec> rim_of(const Piece& piece, double wall, End end) {
+  const auto* cyclide = std::get_if<CyclidePiece>(&piece);
+  if (cyclide == nullptr) {
+    return std::nullopt;
+  }
+  const numbers::Interval t = end == End::end ? 1 : 0;
+  const auto outer = surfaces::moving_disc(*cyclide, t);
+  const auto inner = surfaces::moving_disc(*cyclide, t, wall);
+  if (!outer || !inner) {
+    const numbers::Interval any = numbers::Interval::whole();
+    return numbers::IntervalVec{any, any, any};
+  }
+  const numbers::Interval advance = numbers::dot(inner->center - outer->center, outer->normal);
+  const bool is_beyond = (end == End::end ? advance.upper : -advance.lower) > 0;
+  return is_beyond ? std::optional(inner->center) : std::nullopt;
 }
 
 }  // namespace
@@ -66,8 +90,18 @@ SweptDiscs::Part SweptDiscs::of_chain(const Chain& chain) {
     part.pieces.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
     part.full = part.full && part.pieces.back().full;
   }
+  if (chain.wall > 0 && !part.closed && !part.pieces.empty()) {
+    part.rims = {rim_of(chain.pieces.front(), chain.wall, End::start),
+                 rim_of(chain.pieces.back(), chain.wall, End::end)};
+  }
   if (part.pieces.size() >= kManyPieces && !part.has_kneecaps) {
     std::ranges::transform(part.pieces, std::back_inserter(part.boxes), box_of);
+    for (const End end : {End::start, End::end}) {
+      if (const auto& rim = part.rims.at(at(end))) {
+        extend(end == End::end ? part.boxes.back() : part.boxes.front(), *rim,
+               end_ring(chain, end).radius);
+      }
+    }
   }
   if (!part.closed && !part.pieces.empty()) {
     part.end_rings = {end_ring(chain, End::start), end_ring(chain, End::end)};
@@ -167,6 +201,12 @@ DiscHull SweptDiscs::over(const ParameterInterval& t) const {
   }
   const std::size_t i = piece_of(t);
   DiscHull hull = part_->pieces[i].hull({t.from - double(i), t.to - double(i)});
+  if (part_->rims[0] && t.from == 0) {
+    hull.centers.insert(hull.centers.begin(), *part_->rims[0]);
+  }
+  if (part_->rims[1] && t.to == length()) {
+    hull.centers.push_back(*part_->rims[1]);
+  }
   if (i > 0 && i <= part_->knees.size() && t.from == double(i)) {
     include(part_->knees[i - 1], hull.centers.begin(), hull);
   }

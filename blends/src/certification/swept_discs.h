@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -98,6 +99,8 @@ class SweptDiscs {
     std::vector<Eigen::AlignedBox3d> boxes;  ///< of the pieces, where there are many
     std::vector<Ring> end_rings;
     std::vector<Sphere> knees;
+    /// By end, of a hollow chain the centre of the inner circle, as the rim may lean over the disc.
+    std::array<std::optional<numbers::IntervalVec>, 2> rims;
     bool closed = false, full = true, has_kneecaps = false;
   };
   [[nodiscard]] static Part of_chain(const Chain& chain);

@@ -63,8 +63,9 @@ void verify_joints(const Solid& solid, const std::string& name, const PartClaims
     require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
                 follows(pieces[i], claims.tangency[2 * i + 1], End::end),
             name, "tangency");
-    require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
-                is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
+    const double size = solid.size_of_piece(i);
+    require(is_near(claims.tangency[2 * i], pieces[i].start, size, tolerance) &&
+                is_near(claims.tangency[2 * i + 1], pieces[i].end, size, tolerance),
             name, "joints");
     require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
                    : solid.has_kneecaps() || are_flips(pieces[i - 1].end, pieces[i].start),
@@ -105,12 +106,12 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
 // In rings that are the same, bitwise.
 std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                                const std::vector<CertifiedPart>& parts, std::uint32_t first,
-                               std::uint32_t second) {
+                               std::uint32_t second, double tolerance) {
   std::vector<JoinedEnds> result;
   for (const End end : {End::start, End::end}) {
     const auto& other = parts[first].joined.at(at(end));
     if (other && other->part == second) {
-      const JoinedEnds joint{end, other->end};
+      JoinedEnds joint{end, other->end};
       if (solids[first].length() == 0 || solids[second].length() == 0) {
         continue;  // nothing can be claimed
       }
@@ -119,6 +120,9 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                   are_flips(end_ring(solids[first], joint.first),
                             end_ring(solids[second], joint.second)),
               parts[first].name, "joined");
+      joint.have_rims_apart = solids[first].wall() == solids[second].wall() ||
+                              std::max(solids[first].rim_beyond(joint.first),
+                                       solids[second].rim_beyond(joint.second)) <= tolerance;
       result.push_back(joint);
     }
   }
@@ -129,15 +133,25 @@ namespace {
 
 bool is_same(const Ring& a, const Ring& b) { return are_flips(a, flipped(b)); }
 
-// The quadrics are those of the pipes, so that what touches these touches the pipes.
+bool is_straight(const Solid& pipe) {
+  return pipe.pieces().size() == 1 && pipe.pieces().front().tubes.size() == 1 &&
+         pipe.pieces().front().tubes.front().is_cone();
+}
+
+// The quadrics are those of the pipes, so that what touches these between the pipes' ends touches
+// the pipes.
 LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
                      const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
+  std::array<Ring, 2> starts;
   for (std::size_t side = 0; side < 2; ++side) {
     const Solid& pipe = solids[fillet.between.at(side)];
     require(!pipe.pieces().empty() && is_same(loop.quadrics.at(side), end_ring(pipe, End::end)) &&
                 !loop.quadrics.at(side).ellipse,
             fillet.name, "between");
+    require(is_straight(pipe), fillet.name, "between");
+    starts.at(side) = end_ring(pipe, End::start);
   }
+  require(touches_between(loop, starts, tolerance), fillet.name, "between");
   require(follows(loop, claims.contact) && claims.contact.offset <= tolerance, fillet.name,
           "contact");
   auto cells = regular_cells(loop, claims.regular);
@@ -257,7 +271,9 @@ bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& c
   return hub_pairs.contains({claim.first, claim.second})
              ? follows_at_hub(solids[claim.first], *solids[claim.second].ball(), claim)
              : follows(solids[claim.first], solids[claim.second],
-                       joints(solids, certificate.parts, claim.first, claim.second), claim);
+                       joints(solids, certificate.parts, claim.first, claim.second,
+                              certificate.tolerance),
+                       claim);
 }
 
 void verify_clearance(const std::vector<Solid>& solids, const Certificate& certificate,

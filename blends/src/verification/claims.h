@@ -19,9 +19,11 @@
 
 namespace dupin::verification {
 
-/// Where a part is joined to another. Throws Error{invalid_argument} if their rings differ there.
+/// Where a part is joined to another. Rims apart reach at most the tolerance beyond the joint, or
+/// are one in both. Throws Error{invalid_argument} if their rings differ there.
 [[nodiscard]] std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                                              const std::vector<CertifiedPart>& parts,
-                                             std::uint32_t first, std::uint32_t second);
+                                             std::uint32_t first, std::uint32_t second,
+                                             double tolerance);
 
 }  // namespace dupin::verification

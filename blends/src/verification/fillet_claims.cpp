@@ -122,6 +122,52 @@ Jet<kOrders> misfit(const Ring& quadric, const BallJets<kOrders>& balls) {
   return seen_from(quadric, balls.center).distance - balls.radius;
 }
 
+constexpr int kCells = 16, kHalvings = 40;
+
+// Of all of a loop, in cells that are halved where it cannot be told of them.
+template <class Check>
+bool holds_halved(const Check& holds_on, const ParameterInterval& t, int halvings) {
+  if (holds_on(t)) {
+    return true;
+  }
+  const double middle = std::midpoint(t.from, t.to);
+  return halvings > 0 && holds_halved(holds_on, {t.from, middle}, halvings - 1) &&
+         holds_halved(holds_on, {middle, t.to}, halvings - 1);
+}
+
+template <class Check>
+bool holds_all_along(const Check& holds_on) {
+  for (int i = 0; i < kCells; ++i) {
+    if (!holds_halved(holds_on, cell({0, kLength}, i, kCells), kHalvings)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// How far the point is beyond the ring, along its outward normal, from above.
+double beyond(const Ring& ring, const JetVec<2>& point) {
+  const IntervalVec normal = interval_vec(ring.normal);
+  const IntervalVec to = part(point, 0) - interval_vec(ring.center);
+  return (dot(to, normal) / norm(normal)).upper;
+}
+
+bool touches_between_on(const CanalFillet& loop, const std::array<Ring, 2>& starts,
+                        double tolerance, const ParameterInterval& t) {
+  constexpr std::uint64_t kWork = 16;
+  spend(rolls_on_cones(loop) ? 2 * kWork : kWork);
+  const JetVec<2> ball = std::visit(BallReader<2>(turn_stretch(t).value()), loop.motion).center;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Ring& quadric = loop.quadrics.at(side);
+    const auto [normal, distance] = seen_from(quadric, ball);
+    const JetVec<2> foot = ball - distance * normal;
+    if (!(std::max(beyond(quadric, foot), beyond(starts.at(side), foot)) <= tolerance)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t) {
   constexpr std::uint64_t kWork = 64;
   spend(rolls_on_cones(loop) ? kConeWork : kWork);
@@ -141,16 +187,6 @@ bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const Parame
     const Interval deviation = lean / sqrt(Interval(1) - square(sine + lean));
     return off.value.magnitude() <= claim.offset && deviation.upper <= claim.deviation;
   });
-}
-
-bool touches(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t,
-             int halvings) {
-  if (touches_on(loop, claim, t)) {
-    return true;
-  }
-  const double middle = std::midpoint(t.from, t.to);
-  return halvings > 0 && touches(loop, claim, {t.from, middle}, halvings - 1) &&
-         touches(loop, claim, {middle, t.to}, halvings - 1);
 }
 
 // With x = C + c w, b = T x w and the spin s of w: w' = -(w.T') T + s b.
@@ -252,16 +288,13 @@ bool follows(const CanalFillet& loop, const std::vector<ArcCell>& cells,
 }
 
 bool follows(const CanalFillet& loop, const ContactClaim& claim) {
-  constexpr int kCells = 16, kHalvings = 40;
-  if (!is_bound(claim.offset) || !is_bound(claim.deviation)) {
-    return false;
-  }
-  for (int i = 0; i < kCells; ++i) {
-    if (!touches(loop, claim, cell({0, kLength}, i, kCells), kHalvings)) {
-      return false;
-    }
-  }
-  return true;
+  return is_bound(claim.offset) && is_bound(claim.deviation) &&
+         holds_all_along([&](const ParameterInterval& t) { return touches_on(loop, claim, t); });
+}
+
+bool touches_between(const CanalFillet& loop, const std::array<Ring, 2>& starts, double tolerance) {
+  return holds_all_along(
+      [&](const ParameterInterval& t) { return touches_between_on(loop, starts, tolerance, t); });
 }
 
 double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim) {

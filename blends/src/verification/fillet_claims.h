@@ -53,6 +53,11 @@ struct ArcCell {
 
 [[nodiscard]] bool follows(const CanalFillet& loop, const ContactClaim& claim);
 
+/// Whether the ball's feet on both quadrics are beyond neither ring of the pipes by more than the
+/// tolerance; `starts` are those that are no quadrics of the loop.
+[[nodiscard]] bool touches_between(const CanalFillet& loop, const std::array<Ring, 2>& starts,
+                                   double tolerance);
+
 /// Of the mesh that has rows at the knots, and all arcs there divided into so many segments, an
 /// upper bound of the error; infinite where none is found.
 [[nodiscard]] double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim);

@@ -132,19 +132,23 @@ bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, do
          (grows || falls || ((Interval(1) - margin) * range.upper).upper <= range.lower);
 }
 
-// A stretch of a piece on the way between two discs.
+// A stretch of a piece on the way between two discs, and how much they turn at the joint before it.
 struct Cell {
   const Piece* piece;
   ParameterInterval t;
+  Interval turn;
 };
 
-bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& way) {
+bool append(const Solid& solid, const ParameterInterval& t, const Interval& turn,
+            std::vector<Cell>& way) {
   for (const ParameterInterval& stretch : cut(t)) {
     const Piece* piece = solid.piece(stretch);
+    const auto index = std::size_t(stretch.from);
     if (piece == nullptr) {
       return false;  // a ball
     }
-    way.push_back({piece, within_piece(stretch)});
+    way.push_back(
+        {piece, within_piece(stretch), stretch.from == t.from ? turn : solid.turn_at(index)});
   }
   return true;
 }
@@ -159,7 +163,8 @@ bool advances(const std::vector<Cell>& way, int cells) {
   };
   std::vector<Bounds> all;
   Interval radius = 0, phi = 0;
-  for (const auto& [piece, t] : way) {
+  for (const auto& [piece, t, turn] : way) {
+    phi = phi + turn;
     for (int i = 0; i < cells; ++i) {
       const double from = std::lerp(t.from, t.to, double(i) / cells);
       const double to = std::lerp(t.from, t.to, double(i + 1) / cells);
@@ -193,7 +198,8 @@ bool advances(const std::vector<Cell>& way) {
   return false;
 }
 
-// The fifth lemma, of the discs before and behind a joint.
+// The fifth lemma, of the discs before and behind a joint. is_near() bounds how far its planes are
+// from being one, along pieces with tubes, whose size is always known.
 bool stays_apart(const std::vector<Cell>& way) {
   return way.size() == 2 && stays_on_one_side(*way.front().piece, way.front().t) &&
          stays_on_one_side(*way.back().piece, way.back().t);
@@ -214,6 +220,23 @@ bool lies_in(const Ring& ring, const Vec3& point) {
 
 }  // namespace
 
+namespace {
+
+// Whether the normals stay on one side of some plane. They never vanish then, nor turn round.
+bool keep_their_sense(const Discs& discs) {
+  IntervalVec sum{0, 0, 0};
+  for (const IntervalVec& tangent : discs.tangents) {
+    sum = sum + tangent;
+  }
+  return discs.spread < 1 &&
+         std::all_of(discs.tangents.begin(), discs.tangents.end(), [&](const IntervalVec& tangent) {
+           return numbers::dot(sum, tangent).lower > 0;
+         });
+}
+
+}  // namespace
+
+// Where discs keep their sense, and the point comes from before them to behind them, one passes it.
 bool crosses(const Solid& solid, const ParameterInterval& t, const numbers::IntervalVec& box) {
   const auto discs = solid.discs(t), first = solid.discs({t.from, t.from}),
              last = solid.discs({t.to, t.to});
@@ -222,7 +245,8 @@ bool crosses(const Solid& solid, const ParameterInterval& t, const numbers::Inte
   }
   const bool passes =
       solid.ball() != nullptr ||
-      (numbers::dot(box - first->centers.front(), first->tangents.front()).lower > 0 &&
+      (keep_their_sense(*discs) &&
+       numbers::dot(box - first->centers.front(), first->tangents.front()).lower > 0 &&
        numbers::dot(box - last->centers.back(), last->tangents.back()).upper < 0);
   return passes &&
          std::all_of(discs->centers.begin(), discs->centers.end(), [&](const IntervalVec& center) {
@@ -260,10 +284,12 @@ bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
     return true;
   }
   std::vector<Cell> way, around;
-  return (all.to - all.from <= kLongestWay && append(solid, all, way) && does_not_come_back(way)) ||
+  return (all.to - all.from <= kLongestWay && append(solid, all, 0, way) &&
+          does_not_come_back(way)) ||
          (solid.closed() && beyond <= kLongestWay &&
-          append(solid, {leaf.second.from, solid.length()}, around) &&
-          append(solid, {0, leaf.first.to}, around) && does_not_come_back(around));
+          append(solid, {leaf.second.from, solid.length()}, 0, around) &&
+          append(solid, {0, leaf.first.to}, solid.turn_at(0), around) &&
+          does_not_come_back(around));
 }
 
 // The discs from the stretch to the end where the joint is.
@@ -276,10 +302,14 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
   return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
     const auto one = to_joint(first, leaf.first, joint.first);
     const auto other = to_joint(second, leaf.second, joint.second);
+    const auto turn = [&] {
+      return turn_between(first.outward(joint.first), Interval(-1) * second.outward(joint.second));
+    };
     std::vector<Cell> way;
-    return knees_at(first, one).empty() && knees_at(second, other).empty() &&
-           one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, way) &&
-           append(second, other, way) && does_not_come_back(way);
+    return joint.have_rims_apart && knees_at(first, one).empty() &&
+           knees_at(second, other).empty() &&
+           one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, 0, way) &&
+           append(second, other, turn(), way) && does_not_come_back(way);
   });
 }
 

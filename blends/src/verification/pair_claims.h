@@ -11,6 +11,8 @@ namespace dupin::verification {
 /// The ends at which two parts are joined.
 struct JoinedEnds {
   End first = End::start, second = End::start;
+  /// No rim of the one reaches into the other: see Solid::rim_beyond.
+  bool have_rims_apart = true;
 };
 
 /// Whether the claim says nothing besides its verdict: evidence for that alone, and a distance only

@@ -9,6 +9,21 @@
 #include "verification/work.h"
 
 namespace dupin::verification {
+namespace {
+
+// Far more than a second.
+constexpr std::uint64_t kNotCounted = std::numeric_limits<std::uint64_t>::max();
+
+IntervalVec everywhere() { return {Interval::whole(), Interval::whole(), Interval::whole()}; }
+
+// Of the piece's discs, in the sense of its parameter.
+IntervalVec normal_at(const Piece& piece, End end) {
+  const double t = end == End::end ? 1 : 0;
+  const auto disc = piece.steered(t, t);
+  return disc ? part(disc->normal, 0) : everywhere();
+}
+
+}  // namespace
 
 Solid::Solid(const CertifiedPart& certified) {
   const AdmittedPart admitted(certified);
@@ -30,6 +45,25 @@ Solid::Solid(const CertifiedPart& certified) {
     pieces_.emplace_back(shape, chain.wall);
     is_full_ = is_full_ && pieces_.back().tubes.size() < 2;
   }
+  if (wall_ > 0 && !closed_ && !pieces_.empty()) {
+    rims_ = {rim_of(pieces_.front(), End::start), rim_of(pieces_.back(), End::end)};
+  }
+}
+
+// With spheres (m; r) the rim at an end is m + s u for u.m' = -r' and r - wall <= s <= r: where r
+// grows outward, it leans over the disc of the outer skin. It lies in the hull of both discs.
+std::optional<Solid::Rim> Solid::rim_of(const Piece& piece, End end) {
+  const WorkLimit not_counted(kNotCounted);
+  const double t = end == End::end ? 1 : 0;
+  const auto outer = piece.motion(t, t), inner = piece.inner(t, t);
+  if (!outer || !inner) {
+    return Rim{everywhere(), Interval::whole(), std::numeric_limits<double>::infinity()};
+  }
+  Rim rim{part(inner->center, 0), inner->radius[0]};
+  const Interval advance =
+      numbers::dot(rim.center - part(outer->center, 0), part(outer->normal, 0));
+  rim.beyond = end == End::end ? advance.upper : -advance.lower;
+  return rim.beyond > 0 ? std::optional(rim) : std::nullopt;
 }
 
 const Piece* Solid::piece(const ParameterInterval& t) const {
@@ -45,7 +79,20 @@ std::optional<Discs> Solid::discs(const ParameterInterval& t) const {
     return Discs{{numbers::interval_vec(ball_->center)}, {}, ball_->radius, 0};
   }
   const Piece* found = piece(t);
-  return found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
+  auto result = found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
+  for (const End end : {End::start, End::end}) {
+    const auto& rim = rims_.at(at(end));
+    if (result && rim && (end == End::start ? t.from == 0 : t.to == length())) {
+      result->centers.push_back(rim->center);
+      result->radius = max(result->radius, Interval(rim->radius.magnitude()));
+    }
+  }
+  return result;
+}
+
+double Solid::rim_beyond(End end) const {
+  const auto& rim = rims_.at(at(end));
+  return rim ? rim->beyond : 0;
 }
 
 bool Solid::is_run(const ParameterInterval& t) const {
@@ -54,14 +101,47 @@ bool Solid::is_run(const ParameterInterval& t) const {
 }
 
 // A limit would see them spent by whoever asks first, which may be a claim that is not made.
-const std::vector<IntervalVec>& Solid::boxes() const {
-  std::call_once(boxes_->found, [this] {
-    const WorkLimit not_counted(std::numeric_limits<std::uint64_t>::max());
+const Solid::Looks& Solid::looks() const {
+  std::call_once(looks_->found, [this] {
+    const WorkLimit not_counted(kNotCounted);
     for (double i = 0; i < length(); ++i) {
-      boxes_->of_pieces.push_back(box_of_piece(*this, i));
+      looks_->boxes.push_back(box_of_piece(*this, i));
+    }
+    for (const Piece& piece : pieces_) {
+      looks_->normals.push_back({normal_at(piece, End::start), normal_at(piece, End::end)});
     }
   });
-  return boxes_->of_pieces;
+  return *looks_;
+}
+
+const std::vector<IntervalVec>& Solid::boxes() const { return looks().boxes; }
+
+double Solid::size_of_piece(std::size_t i) const {
+  const IntervalVec& box = boxes()[i];
+  Interval squared = 0;
+  for (const Interval& side : box) {
+    squared = squared + square(Interval(side.upper) - side.lower);
+  }
+  const double size = sqrt(squared).upper;
+  return size >= 0 ? size : std::numeric_limits<double>::infinity();
+}
+
+Interval turn_between(const IntervalVec& before, const IntervalVec& after) {
+  constexpr double kMoreThanHalfPi = 1.6;  // an angle is at most so many times its chord
+  return (kMoreThanHalfPi * numbers::norm(after - before)).upper;
+}
+
+Interval Solid::turn_at(std::size_t i) const {
+  const auto& normals = looks().normals;
+  return turn_between(normals[(i == 0 ? normals.size() : i) - 1][1], normals[i][0]);
+}
+
+IntervalVec Solid::outward(End end) const {
+  const auto& normals = looks().normals;
+  if (normals.empty()) {
+    return everywhere();
+  }
+  return end == End::end ? normals.back()[1] : Interval(-1) * normals.front()[0];
 }
 
 IntervalVec box_of_piece(const Solid& solid, double i) {
@@ -70,7 +150,7 @@ IntervalVec box_of_piece(const Solid& solid, double i) {
   for (double k = 0; k < kQuarters; ++k) {
     const auto discs = solid.discs({i + k / kQuarters, i + (k + 1) / kQuarters});
     if (!discs) {
-      return {Interval::whole(), Interval::whole(), Interval::whole()};
+      return everywhere();
     }
     const double radius = discs->radius.magnitude();
     for (const IntervalVec& center : discs->centers) {

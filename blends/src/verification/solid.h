@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,9 +32,18 @@ class Solid {
   /// Whether it is a run of several whole pieces, of a chain without kneecaps.
   [[nodiscard]] bool is_run(const ParameterInterval& t) const;
   /// Axis-parallel boxes of the discs of each piece; found when they are first asked for. They are
-  /// no work that is limited: four looks at each piece.
+  /// no work that is limited: a few looks at each piece.
   [[nodiscard]] const std::vector<IntervalVec>& boxes() const;
-  /// Of a stretch within one piece; none where the numbers do not tell.
+  /// Of a piece, the diagonal of its box, from above; infinite where the numbers do not tell.
+  [[nodiscard]] double size_of_piece(std::size_t i) const;
+  /// How much the discs turn at once where piece i begins, from above; at 0 in a closed chain.
+  [[nodiscard]] Interval turn_at(std::size_t i) const;
+  /// The unit normal of the disc at an end, outward; everywhere where the numbers do not tell.
+  [[nodiscard]] IntervalVec outward(End end) const;
+  /// How far the rim of a hollow chain reaches beyond the disc at this end, from above.
+  [[nodiscard]] double rim_beyond(End end) const;
+  /// Of a stretch within one piece, and of the rim if it ends there; none where the numbers do not
+  /// tell.
   [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;
 
  private:
@@ -41,13 +51,26 @@ class Solid {
   std::optional<Sphere> ball_;
   std::vector<Sphere> knees_;
   double wall_ = 0;
-  struct Boxes {
+  struct Looks {
     std::once_flag found;
-    std::vector<IntervalVec> of_pieces;
+    std::vector<IntervalVec> boxes;
+    std::vector<std::array<IntervalVec, 2>> normals;  ///< at the ends of each piece
   };
-  std::shared_ptr<Boxes> boxes_ = std::make_shared<Boxes>();
+  [[nodiscard]] const Looks& looks() const;
+  std::shared_ptr<Looks> looks_ = std::make_shared<Looks>();
+  /// A conical rim, between the circles of both skins, that may reach beyond the outer disc.
+  struct Rim {
+    IntervalVec center;  ///< of the inner circle
+    Interval radius;
+    double beyond = 0;
+  };
+  [[nodiscard]] static std::optional<Rim> rim_of(const Piece& piece, End end);
+  std::array<std::optional<Rim>, 2> rims_;  ///< by end
   bool closed_ = false, is_full_ = true, has_kneecaps_ = false;
 };
+
+/// The angle between unit normals, from above.
+[[nodiscard]] Interval turn_between(const IntervalVec& before, const IntervalVec& after);
 
 /// A box of the discs on quarters of a piece, the number i being its place; everywhere where the
 /// numbers do not tell.

@@ -1,5 +1,6 @@
 #include "verification/tangency_claim.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -29,8 +30,12 @@ bool curvature_follows(const Piece& piece, double claimed, End end) {
 
 }  // namespace
 
-bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance) {
-  return claim.offset + claim.axis_angle * ring.radius <= tolerance;
+// Of pieces of unknown size only the second lemma speaks, which counts how much discs turn at
+// joints.
+bool is_near(const TangencyClaim& claim, const Ring& ring, double size_of_piece, double tolerance) {
+  const double size =
+      std::isfinite(size_of_piece) ? std::max(size_of_piece, ring.radius) : ring.radius;
+  return (Interval(claim.offset) + Interval(claim.axis_angle) * size).upper <= tolerance;
 }
 
 bool follows(const Piece& piece, const TangencyClaim& claim, End end) {

@@ -43,7 +43,7 @@ TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {
   const std::vector<Solid> solids{admitted(parts[0], work), admitted(parts[1], work)};
   const auto agreed = [&](double distance) {
     return certification::agreed(ClearanceClaim{0, 1, Verdict::proved, distance, {kUp}, {}}, parts,
-                                 solids, work);
+                                 solids, .05, work);
   };
   EXPECT_EQ(agreed(2.5).distance, 2.5);
   EXPECT_EQ(agreed(3).distance, 3 * (1 - 0x1p-20)) << "but for rounding";

@@ -326,6 +326,35 @@ TEST(VerifyCertificate, of_a_chain_needs_pieces_that_share_their_rings) {
   EXPECT_THAT(refused_for(moved), testing::HasSubstr("'joints'"));
 }
 
+// Thin tubes may turn at a joint by any angle while their rings are hardly off; what lies further
+// along is.
+TEST(VerifyCertificate, of_thin_parts_takes_none_that_turns_at_its_joint) {
+  const auto thin = [](const Vec3& from, const Vec3& to) {
+    RingedSurface tube = pipe(from, to);
+    tube.start.radius = tube.end.radius = .001;
+    tube.radius = ConstantRadius{.001};
+    return tube;
+  };
+  Certificate c;
+  c.tolerance = .01;
+  c.parts = {part("a", thin({0, 0, 0}, {4, 0, 0})), part("b", thin({4, 0, 0}, {8, 0, 0}))};
+  c.parts[0].joined[1] = EndIndex{1, {}};
+  c.claims = {straight_claims(), straight_claims()};
+  c.clearances = {{0, 1, Verdict::proved, 0, {{{0, 1}, {0, 1}, {}}}, {}}};
+  EXPECT_NO_THROW(verify(c));
+  RingedSurface& back = surface(c, 1);
+  back.spine = LineSpine{Vec3(4, 0, 0), Vec3(0, 0, 0)};
+  back.end = {Vec3(0, 0, 0), -Vec3::UnitX(), .001};
+  c.claims[1].tangency[0] = {3.2, 3.2, 1e-300, {}};
+  EXPECT_LT(3.2 * .001, c.tolerance) << "so that the rings are near";
+  try {
+    verify(c);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.message(), testing::HasSubstr("'joints'"));
+  }
+}
+
 // With the same slopes across, seen from both sides.
 TEST(VerifyCertificate, of_a_chain_of_elliptic_tubes_needs_rings_with_the_same_slopes) {
   EllipticTube before, after;
@@ -385,6 +414,23 @@ TEST(VerifyCertificate, of_fillets_is_about_the_quadrics_of_its_parts) {
       }
     }
   }
+  // Pipes that end before the fillet, and one that is bent.
+  for (const std::uint32_t side : {0U, 1U}) {
+    Certificate shorter = honest;
+    auto& pipe = surface(shorter, side);
+    pipe.start.center = .875 * pipe.end.center;
+    pipe.spine = LineSpine{pipe.start.center, pipe.end.center};
+    try {
+      verify(shorter);
+      ADD_FAILURE() << side;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.message(), testing::HasSubstr("'between'"));
+    }
+  }
+  Certificate bent = honest;
+  const Vec3 from = surface(bent, 1).start.center, to = surface(bent, 1).end.center;
+  surface(bent, 1).spine = BezierSpine{{from, (from + to) / 2, to}, {}};
+  EXPECT_THROW(verify(bent), Error);
   Certificate itself = honest;
   itself.fillets[0].between = {0, 0};
   EXPECT_THROW(verify(itself), Error);

@@ -151,6 +151,19 @@ TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
   EXPECT_FALSE(follows(tight, embedded(leaves), kRegular));
 }
 
+// Lemma 2 counts the turn at the joint: as thin as these are, their rings are hardly off.
+TEST(EmbeddedClaim, of_a_chain_that_turns_back_at_its_joint_does_not_follow) {
+  const std::vector<DiscPairs> leaves{
+      {{0, 1}, {0, 1}, {}}, {{0, 1}, {1, 2}, {}}, {{1, 2}, {1, 2}, {}}};
+  for (const auto& [turn, follows_then] :
+       {std::pair(0., true), {.5, true}, {1.2, false}, {2.5, false}, {pi, false}}) {
+    const Vec3 on(5 + 4 * std::cos(turn), 4 * std::sin(turn), 0);
+    const Solid chain = test::solid(test::cylinder_of_bezier({0, 0, 0}, {5, 0, 0}, .015),
+                                    test::cylinder_of_bezier({5, 0, 0}, on, .015));
+    EXPECT_EQ(follows(chain, embedded(leaves), kRegular), follows_then) << turn;
+  }
+}
+
 // The first and the last of four straight pieces overlap, and the way from one to the other is
 // short only where the chain closes.
 TEST(EmbeddedClaim, goes_around_only_where_the_chain_closes) {
@@ -238,6 +251,17 @@ TEST(EmbeddedClaim, is_refuted_by_a_point_in_two_discs) {
   EXPECT_FALSE(follows(solid, {Verdict::refuted, {}, {}}, kRegular));
 }
 
+// The plane of the disc turns round at a cusp, and passes no point on its way.
+TEST(EmbeddedClaim, is_not_refuted_by_a_disc_that_turns_round_in_a_cusp) {
+  RingedSurface there_and_back = test::cylinder({0, 0, 0}, {9, 0, 0}, 1);
+  there_and_back.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 0, 0)}, {}};
+  const Solid cusp = test::solid(there_and_back), ball = test::ball({5.5, 0, 0}, .3);
+  const Overlap beyond{Vec3(5.25, 0, 0), {.46875, .53125}, {0, 1}};
+  EXPECT_FALSE(follows(cusp, ball, {}, common_point(Verdict::proved, beyond)));
+  const Solid there = test::solid(test::cylinder_of_bezier({0, 0, 0}, {10, 0, 0}, 1));
+  EXPECT_TRUE(follows(there, ball, {}, common_point(Verdict::proved, beyond)));
+}
+
 // That a flat end is touched is told of two parts, not of one.
 TEST(EmbeddedClaim, is_not_refuted_by_what_touches_a_flat_end) {
   const Solid chain = test::solid(test::cylinder({0, 0, 0}, {4, 0, 0}, 1),
@@ -294,6 +318,29 @@ TEST(ClearanceClaim, of_pipes_that_touch_does_not_follow) {
   EXPECT_FALSE(follows(low, high, joined, clearance(0, {whole(Vec3::UnitZ())})));
   EXPECT_TRUE(follows(low, test::solid(test::cylinder({2, 0, 3.001}, {7, 0, 3.001}, 2)), joined,
                       clearance(0, {whole(Vec3::UnitZ())})));
+}
+
+// A ball in the rim of a horn, beyond the disc that the rim leans over.
+TEST(ClearanceClaim, of_a_hollow_chain_is_that_of_its_rims) {
+  CertifiedPart part = test::part(test::cyclide_piece(PeArc::from(
+      test::sphere(0, 0, 0, 4), test::direction(Vec3::UnitX(), .5), test::sphere(6, 0, 0, 7))));
+  const Solid ball = test::ball({2.8, 0, 5.5}, .1);
+  const Vec3 along = Vec3::UnitX();
+  EXPECT_TRUE(follows(Solid(part), ball, {}, clearance(.15, {whole(along)})));
+  std::get<Chain>(part.shape).wall = 1;
+  EXPECT_FALSE(follows(Solid(part), ball, {}, clearance(.15, {whole(along)})));
+  const Solid further = test::ball({3.2, 0, 5.5}, .1);
+  EXPECT_TRUE(follows(Solid(part), further, {}, clearance(.05, {whole(along)})));
+}
+
+TEST(ClearanceClaim, of_what_is_joined_to_a_rim_that_reaches_into_it_does_not_follow) {
+  CertifiedPart part = test::part(test::cyclide_piece(PeArc::from(
+      test::sphere(0, 0, 0, 4), test::direction(Vec3::UnitX(), .5), test::sphere(6, 0, 0, 7))));
+  std::get<Chain>(part.shape).wall = 1;
+  const Solid horn(part), pipe = test::solid(test::cylinder({2.5, 0, 0}, {9, 0, 0}, 6));
+  const ClearanceClaim claim = clearance(0, {whole()});
+  EXPECT_TRUE(follows(horn, pipe, {kEndToStart}, claim));
+  EXPECT_FALSE(follows(horn, pipe, {{End::end, End::start, false}}, claim));
 }
 
 TEST(ClearanceClaim, needs_leaves_for_all_pairs) {

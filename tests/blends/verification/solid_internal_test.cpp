@@ -85,6 +85,47 @@ TEST(Solid, of_an_elliptic_tube_has_the_larger_discs_and_is_not_full) {
   EXPECT_NEAR(furthest(*solid.discs({0, 1}), numbers::interval_vec(Vec3::UnitZ())), 2, 1e-14);
 }
 
+// Spheres of radius 4 to 7 along x, which grow half as fast as they move: the circles lie where x
+// is -2 and 2.5, those of the inner skin where it is -1.5 and 3.
+CertifiedPart hollow_horn() {
+  CertifiedPart horn = test::part(test::cyclide_piece(PeArc::from(
+      test::sphere(0, 0, 0, 4), test::direction(Vec3::UnitX(), .5), test::sphere(6, 0, 0, 7))));
+  std::get<Chain>(horn.shape).wall = 1;
+  return horn;
+}
+
+TEST(Solid, that_is_hollow_has_the_rim_that_leans_over_its_end) {
+  const auto along_x = [](const Solid& solid, const ParameterInterval& t) {
+    return furthest(solid.discs(t).value(), numbers::interval_vec(Vec3::UnitX()));
+  };
+  CertifiedPart part = hollow_horn();
+  const Solid horn(part);
+  EXPECT_NEAR(horn.rim_beyond(End::end), .5, 1e-12);
+  EXPECT_EQ(horn.rim_beyond(End::start), 0) << "where it is within the outer skin";
+  EXPECT_NEAR(along_x(horn, {.9375, 1}), 3, 1e-6);
+  EXPECT_LT(along_x(horn, {.875, .9375}), 2.5);
+  EXPECT_GE(horn.boxes().front()[0].upper, 3);
+  std::get<Chain>(part.shape).wall = 0;
+  const Solid full(part);
+  EXPECT_EQ(full.rim_beyond(End::end), 0);
+  EXPECT_NEAR(along_x(full, {.9375, 1}), 2.5, 1e-6);
+}
+
+TEST(Solid, knows_how_much_it_turns_at_joints) {
+  const auto line = [](const Vec3& from, const Vec3& to) {
+    return test::cylinder_of_bezier(from, to, 1);
+  };
+  CertifiedPart part = test::part(line({0, 0, 0}, {5, 0, 0}), line({5, 0, 0}, {9, 0, 0}),
+                                  line({9, 0, 0}, {9, 7, 0}));
+  const Solid solid(part);
+  EXPECT_NEAR(solid.turn_at(1).upper, 0, 1e-14);
+  EXPECT_GE(solid.turn_at(2).upper, std::numbers::pi / 2);
+  EXPECT_LT(solid.turn_at(2).upper, 2.5);
+  EXPECT_TRUE(holds(solid.outward(End::start), Vec3(-1, 0, 0), 1e-14));
+  EXPECT_TRUE(holds(solid.outward(End::end), Vec3(0, 1, 0), 1e-14));
+  EXPECT_NEAR(solid.size_of_piece(0), std::sqrt(7. * 7 + 2. * 2 + 2. * 2), 1e-12);
+}
+
 TEST(Solid, with_kneecaps_has_the_balls_of_its_joints) {
   CertifiedPart part;
   part.shape = kneecap_chain(test::lune_spheres());

@@ -53,6 +53,18 @@ TEST(TangencyClaim, of_tubes_that_go_on_is_rounding) {
   EXPECT_FALSE(at_start(exact, claim(0, 0, -1e-300)));
 }
 
+// By as much as the tube would be off at its other end.
+TEST(TangencyClaim, is_near_if_all_of_the_piece_is) {
+  const Ring ring{Vec3::Zero(), Vec3::UnitX(), 2, 0};
+  EXPECT_TRUE(is_near({{}, .001, .02, {}}, ring, 30, .0501));
+  EXPECT_FALSE(is_near({{}, .001, .02, {}}, ring, 30, .0499));
+  EXPECT_FALSE(is_near({{}, .001, .02, {}}, ring, 31, .0501));
+  const double unknown = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_near({{}, .001, .02, {}}, ring, unknown, .0221));
+  EXPECT_FALSE(is_near({{}, .001, .02, {}}, ring, unknown, .0219));
+  EXPECT_TRUE(is_near({{}, 0, .02, {}}, ring, 1e300, .0201));
+}
+
 TEST(TangencyClaim, is_about_the_moved_centre_and_the_radius) {
   RingedSurface surface = test::cylinder({0, 0, 0}, {3, 0, 0}, 1);
   surface.end.center = Vec3(3, .003, .004);
