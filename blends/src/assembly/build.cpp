@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "dupin/kernel/parallel.h"
+
 namespace dupin {
 
 std::string_view name(Region region) {
@@ -10,6 +12,7 @@ std::string_view name(Region region) {
 }
 
 Built build(const Assembly& assembly, const BuildOptions& options) {
+  const UsualArithmetic usual;
   BuildOptions whole = options;
   whole.most_of_piece = 0;
   return DistrictBuild(assembly, whole).build_all(options.progress);

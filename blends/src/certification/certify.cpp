@@ -27,6 +27,7 @@
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "surfaces/pieces/surface_piece.h"
 
 namespace dupin {
@@ -562,6 +563,7 @@ bool Certificate::joined(const ClearanceClaim& claim) const {
 CertifiedInputs certified_inputs(const Assembly& assembly) { return inputs_of(resolve(assembly)); }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
+  const UsualArithmetic usual;
   if (options.margin && !(*options.margin >= 0 && *options.margin < 1)) {
     throw Error(Errc::invalid_argument,
                 "the margin to prove must be at least 0 and less than 1, not " +

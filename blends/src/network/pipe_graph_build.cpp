@@ -7,6 +7,7 @@
 #include "assembly/bore.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "network/graph_plan.h"
 
 namespace dupin {
@@ -75,6 +76,7 @@ bool refuse(const std::string& part, const std::string& why,
 
 Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork& network,
             const BuildOptions& build_options) {
+  const UsualArithmetic usual;
   PipeGraphOptions fewer = options;
   for (int round = 0;; ++round) {
     try {

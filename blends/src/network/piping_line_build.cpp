@@ -4,6 +4,7 @@
 #include "assembly/bore.h"
 #include "dupin/blends/piping_line.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -43,6 +44,7 @@ Error at_line(const Error& error, const PipingLine& line, const std::optional<st
 
 Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork& network,
             const BuildOptions& build_options) {
+  const UsualArithmetic usual;
   PipingOptions fewer = options;
   for (int round = 0;; ++round) {
     try {

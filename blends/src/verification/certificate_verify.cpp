@@ -7,6 +7,7 @@
 
 #include "dupin/blends/certificate.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "verification/admitted.h"
 #include "verification/claims.h"
 #include "verification/loop_clearance.h"
@@ -409,6 +410,7 @@ void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loo
 namespace dupin {
 
 void verify(const Certificate& certificate) {
+  const UsualArithmetic usual;
   const auto& parts = certificate.parts;
   const verification::WorkLimit limit(verification::work_for(certificate));
   verification::verify_inputs(certificate);

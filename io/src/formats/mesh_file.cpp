@@ -15,6 +15,7 @@
 #include "dupin/io/three_mf.h"
 #include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
 
@@ -85,6 +86,7 @@ TriMesh read_mesh(const std::filesystem::path& path) {
 }
 
 TriMesh read_mesh(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   const MeshFormat* const format = format_of_content(bytes, file);
   if (format == nullptr) {
     throw Error(Errc::parse_failed,
@@ -106,11 +108,13 @@ std::string mesh_unit(std::string_view bytes, std::string_view file) {
 }
 
 std::string mesh_bytes(const TriMesh& mesh, const MeshFormat& format, const MeshHeader& header) {
+  const UsualArithmetic usual;
   return format.write(mesh, header);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriMesh& mesh, const MeshFormat& format,
                 const MeshHeader& header) {
+  const UsualArithmetic usual;
   write_file(path, mesh_bytes(mesh, format, header));
 }
 

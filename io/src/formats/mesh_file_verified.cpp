@@ -8,6 +8,7 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/same_mesh.h"
 #include "formats/stl_binary.h"
 
@@ -117,6 +118,7 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh) {
 
 void write_verified(const std::filesystem::path& path, const Rounded& rounded,
                     const MeshFormat& format, const MeshHeader& header, const Progress& progress) {
+  const UsualArithmetic usual;
   refuse_contacts(rounded, path.string(), format);
   tell(progress, "write");
   Written written(path, rounded.mesh(), format, header);

@@ -218,6 +218,7 @@ AssemblyDocument parse_document(std::string_view text, const std::string& source
 }
 
 Assembly parse_assembly(std::string_view text, const std::string& source) {
+  const UsualArithmetic usual;
   return parse_document(text, source).assembly;
 }
 

@@ -4,6 +4,7 @@
 
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/parallel.h"
 #include "json/certificate_motions.h"
 #include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
@@ -244,6 +245,7 @@ void require_no_more_than(const json::Json& understood, const JsonNode& read) {
 }  // namespace
 
 Certificate parse_certificate(std::string_view text, const std::string& source) {
+  const UsualArithmetic usual;
   const json::Json json = json::parse_json(text, source);
   const JsonNode root(json, source, "");
   if (root.at("format").text() != json::kCertificateFormat) {

@@ -1,5 +1,6 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/parallel.h"
 #include "json/certificate_motions.h"
 #include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
@@ -221,6 +222,7 @@ std::string json::inputs_text(const Certificate& certificate) {
 }
 
 std::string certificate_json(const Certificate& certificate) {
+  const UsualArithmetic usual;
   const std::string inputs = json::inputs_text(certificate);
   return json::sealed(
       "{\n  \"format\": " + json_text(json::kCertificateFormat) +

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "booleans/combine.h"
+#include "dupin/kernel/parallel.h"
 #include "mesh/exact_mesh.h"
 #include "support/sequences.h"
 
@@ -72,18 +73,21 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
 }  // namespace
 
 Solid unite(std::span<const Solid> operands, const BooleanOptions& options) {
+  const UsualArithmetic usual;
   return combine_alike(operands, 0, [&](std::span<const Solid> sorted) {
     return booleans::combine_in_union(sorted, options);
   });
 }
 
 Solid intersect(std::span<const Solid> operands, const BooleanOptions& options) {
+  const UsualArithmetic usual;
   return combine_alike(operands, 0, [&](std::span<const Solid> sorted) {
     return booleans::combine(sorted, arrangement::intersection_rule(sorted.size()), options);
   });
 }
 
 Solid subtract(const Solid& from, std::span<const Solid> operands, const BooleanOptions& options) {
+  const UsualArithmetic usual;
   std::vector<Solid> all = {from};
   all.insert(all.end(), operands.begin(), operands.end());
   return combine_alike(all, 1, [&](std::span<const Solid> sorted) {

@@ -6,6 +6,7 @@
 #include "booleans/combine.h"
 #include "booleans/operands.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -185,6 +186,7 @@ std::vector<Solid> booleans::operands_of(const Expression& expression,
 
 Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
                const BooleanOptions& options) {
+  const UsualArithmetic usual;
   const std::vector<Solid> solids = booleans::operands_of(expression, operands);
   arrangement::BooleanRule rule;
   while (rule.group_of_operand.size() < solids.size()) {

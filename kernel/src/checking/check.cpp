@@ -6,6 +6,7 @@
 #include "checking/inspection.h"
 #include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -40,6 +41,7 @@ std::string edge(const Finding& finding, const TriMesh& mesh) {
 }  // namespace
 
 Report check(const TriMesh& mesh, const CheckOptions& options) {
+  const UsualArithmetic usual;
   return checking::inspect(mesh, options).report;
 }
 

@@ -9,6 +9,7 @@
 
 #include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "mesh/exact_mesh.h"
 #include "support/blocks.h"
@@ -241,6 +242,7 @@ Vec3 nearest_point(const Placement::Point& point) {
 }
 
 Solid placed(const Solid& solid, const Placement& placement) {
+  const UsualArithmetic usual;
   const mesh::ExactMesh& before = solid.exact();
   MovedPoints moved = moved_points(before, placement);
   auto after = std::make_shared<mesh::ExactMesh>();

@@ -6,6 +6,7 @@
 #include "checking/inspection.h"
 #include "checking/plain_solid.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
@@ -133,6 +134,7 @@ Solid::Solid() : mesh_(std::make_shared<const mesh::ExactMesh>()) {}
 Solid::Solid(std::shared_ptr<const mesh::ExactMesh> mesh) : mesh_(std::move(mesh)) {}
 
 Solid Solid::from(const TriMesh& mesh) {
+  const UsualArithmetic usual;
   refuse_bad_labels(mesh);
   const double largest = largest_coordinate(mesh), margin = mesh::reach_of_binary32(largest);
   auto exact = std::make_shared<mesh::ExactMesh>();

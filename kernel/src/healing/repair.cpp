@@ -13,6 +13,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "healing/degenerate_faces.h"
 #include "healing/face_copies.h"
 #include "healing/polygon_soup.h"
@@ -182,6 +183,7 @@ void refuse_holes(const healing::PolygonSoup& soup) {
 }  // namespace
 
 Repaired repair(const TriMesh& mesh, const Progress& progress) {
+  const UsualArithmetic usual;
   if (auto solid = proved(mesh, inspected(mesh))) {
     return {std::move(*solid), {}};
   }

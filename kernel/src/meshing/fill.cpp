@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/solver_mesh_maker.h"
 
@@ -50,6 +51,7 @@ void prove_tiling(const VolumeMesh& mesh) {
 }  // namespace
 
 Filled fill(const Solid& solid, const RemeshOptions& options) {
+  const UsualArithmetic usual;
   meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, true);
   if (made.surface.empty()) {
     return {};

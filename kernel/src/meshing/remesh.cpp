@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "dupin/kernel/parallel.h"
 #include "meshing/solver_mesh_maker.h"
 
 namespace dupin {
 
 Remeshed remesh(const Solid& solid, const RemeshOptions& options) {
+  const UsualArithmetic usual;
   meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, false);
   return {std::move(made.surface), std::move(made.report)};
 }

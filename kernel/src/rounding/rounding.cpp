@@ -11,6 +11,7 @@
 #include "boxes/bounds.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "rounding/edits/edit_strategy.h"
@@ -573,6 +574,7 @@ bool rounds(const mesh::ExactMesh& solid, Coordinates coordinates, RoundingOptio
 namespace dupin {
 
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
+  const UsualArithmetic usual;
   rounding::validate(options);
   rounding::Rounding rounding(solid.exact(), coordinates, options);
   try {

@@ -14,6 +14,7 @@
 #include "boxes/box_tree.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/rounding.h"
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
@@ -372,6 +373,7 @@ class Simplification {
 }  // namespace
 
 Simplified simplify(const Solid& solid, double tolerance, const Progress& progress) {
+  const UsualArithmetic usual;
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {
     throw Error(Errc::invalid_argument,
                 "the tolerance of simplification must be positive and finite");

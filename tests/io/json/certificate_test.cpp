@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfenv>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -385,6 +386,23 @@ TEST(Certificate, that_is_malformed_is_refused_with_its_place) {
   }
   for (const std::size_t size : {0ul, 1ul, 100ul, text.size() / 2, text.size() - 70}) {
     EXPECT_THROW((void)parse_certificate(text.substr(0, size)), Error) << size;
+  }
+}
+
+TEST(Certificate, is_the_same_whatever_way_the_caller_rounds) {
+  const auto made = [] {
+    const Certificate certificate = certify(example("reducer.json"));
+    std::string text = certificate_json(certificate);
+    verify(parse_certificate(text, "reducer.cert"));
+    return text;
+  };
+  const std::string usual = made();
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const std::string text = made();
+    EXPECT_EQ(std::fegetround(), mode);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(text, usual) << mode;
   }
 }
 

@@ -1,9 +1,15 @@
 #include "dupin/kernel/boolean.h"
 
+#include <cfenv>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/ring.h"
+#include "dupin/kernel/rounding.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -267,6 +273,26 @@ TEST(Boolean, a_callback_can_cancel) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::cancelled);
   }
+}
+
+TEST(Boolean, is_the_same_whatever_way_the_caller_rounds) {
+  const auto made = [] {
+    std::vector<Solid> tubes;
+    for (const double turn : {0.1, 0.7, 1.3}) {
+      TriMesh tube = test::tube(1, -3, 3, 12);
+      for (Vec3& p : tube.points) {
+        p = Eigen::AngleAxisd(turn, Vec3(turn, 1, 2).normalized()) * p;
+      }
+      tubes.push_back(Solid::from(tube));
+    }
+    const Solid united = unite(tubes);
+    return std::pair(united.exact_volume(), to_mesh(united, Coordinates::binary32).mesh().points);
+  };
+  const auto usual = made();
+  std::fesetround(FE_UPWARD);
+  const auto upward = made();
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(upward, usual);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "dupin/kernel/parallel.h"
 
 #include <atomic>
+#include <cfenv>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -8,6 +9,10 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 namespace dupin {
 namespace {
@@ -105,6 +110,41 @@ TEST(ForEachInOrder, begins_none_behind_one_that_has_thrown) {
                std::runtime_error);
   EXPECT_EQ(made, 8);
 }
+
+double tenth(volatile double one) { return one / 10; }
+
+TEST(UsualArithmetic, rounds_to_nearest_while_it_lives_whatever_the_caller_does) {
+  const double nearest = tenth(1);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+    std::fesetround(mode);
+    const double callers = tenth(-1);
+    {
+      const UsualArithmetic usual;
+      EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+      EXPECT_EQ(tenth(1), nearest);
+      const UsualArithmetic within;
+    }
+    EXPECT_EQ(std::fegetround(), mode);
+    EXPECT_EQ(tenth(-1), callers);
+  }
+  std::fesetround(FE_TONEAREST);
+}
+
+#ifdef __SSE2__
+TEST(UsualArithmetic, has_denormal_numbers_where_the_caller_has_none) {
+  const unsigned before = _mm_getcsr(), flushing = before | 0x8040U;
+  _mm_setcsr(flushing);
+  volatile double least = 0x1p-1022;
+  double half = 0;
+  {
+    const UsualArithmetic usual;
+    half = least / 2;
+  }
+  EXPECT_EQ(_mm_getcsr() & 0x8040U, 0x8040U);
+  _mm_setcsr(before);
+  EXPECT_EQ(half, 0x1p-1023);
+}
+#endif
 
 }  // namespace
 }  // namespace dupin

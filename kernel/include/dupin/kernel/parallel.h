@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cfenv>
 #include <cstddef>
 #include <functional>
 
@@ -16,5 +17,20 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
 /// the lowest such index throws is thrown.
 void for_each_in_order(std::size_t count, const std::function<void(std::size_t)>& make,
                        const std::function<void(std::size_t)>& take);
+
+/// While it lives, this thread rounds to nearest and has denormal numbers, whatever its caller has
+/// set for his own arithmetic; that comes back. What makes, places, combines, checks, rounds,
+/// certifies, reads and writes solids sets it, so that the same input has the same result. Smaller
+/// functions take the arithmetic as it is.
+class UsualArithmetic {
+ public:
+  UsualArithmetic();
+  ~UsualArithmetic();
+  UsualArithmetic(const UsualArithmetic&) = delete;
+  UsualArithmetic& operator=(const UsualArithmetic&) = delete;
+
+ private:
+  std::fenv_t before_{};
+};
 
 }  // namespace dupin
