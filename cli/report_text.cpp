@@ -117,6 +117,9 @@ std::string repair_text(const RepairReport& report) {
   if (report.united_overlaps) {
     add("overlaps united");
   }
+  if (report.parted_contacts) {
+    add("points doubled where it touches itself");
+  }
   return text.empty() ? "nothing to mend" : text;
 }
 

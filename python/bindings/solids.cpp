@@ -311,7 +311,8 @@ void bind_combinations(py::module_& module) {
                                                    "degenerate_faces"_a = report.degenerate_faces,
                                                    "duplicate_faces"_a = report.duplicate_faces,
                                                    "turned_faces"_a = report.turned_faces,
-                                                   "united_overlaps"_a = report.united_overlaps));
+                                                   "united_overlaps"_a = report.united_overlaps,
+                                                   "parted_contacts"_a = report.parted_contacts));
   });
 }
 

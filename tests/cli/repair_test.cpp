@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -33,6 +34,25 @@ TEST_F(MeshCommands, repair_says_that_there_was_nothing_to_do) {
   EXPECT_THAT(dupin({"repair", "a.off", "-o", "b.stl"}).out,
               HasSubstr("repaired             a.off: nothing to mend\n"));
   EXPECT_EQ(json({"repair", "a.off", "-o", "b.stl"}, 0).at("repairs")[0].at("merged_points"), 0);
+}
+
+// One point of each pair along the edge is all that the file has: that is no solid yet.
+TEST_F(MeshCommands, repair_says_that_points_were_doubled) {
+  TriMesh edge = joined({cube(0, 2), test::box({2, 2, 0}, {3, 3, 2})});
+  for (Triangle& t : edge.triangles) {
+    for (std::uint32_t& corner : t) {
+      for (std::uint32_t i = 0; i < corner; ++i) {
+        corner = edge.points[i] == edge.points[corner] ? i : corner;
+      }
+    }
+  }
+  put("edge.off", edge);
+  EXPECT_EQ(dupin({"check", "edge.off"}).exit_code, 1);
+  const auto report = json({"repair", "edge.off", "-o", "out.off"}, 0);
+  EXPECT_EQ(report.at("repairs")[0].at("united_overlaps"), false);
+  EXPECT_EQ(report.at("repairs")[0].at("parted_contacts"), true);
+  EXPECT_THAT(dupin({"repair", "edge.off", "-o", "out.off"}).out,
+              HasSubstr("repaired             edge.off: points doubled where it touches itself\n"));
 }
 
 TEST_F(MeshCommands, repair_refuses_holes_and_writes_nothing) {

@@ -73,7 +73,8 @@ Json json_value(const FileRepair& repair) {
           {"degenerate_faces", repair.report.degenerate_faces},
           {"duplicate_faces", repair.report.duplicate_faces},
           {"turned_faces", repair.report.turned_faces},
-          {"united_overlaps", repair.report.united_overlaps}};
+          {"united_overlaps", repair.report.united_overlaps},
+          {"parted_contacts", repair.report.parted_contacts}};
 }
 
 // A difference that is not zero does not print as zero unless it is below all doubles.

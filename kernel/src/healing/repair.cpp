@@ -16,6 +16,7 @@
 #include "dupin/kernel/parallel.h"
 #include "healing/degenerate_faces.h"
 #include "healing/face_copies.h"
+#include "healing/kept_surface.h"
 #include "healing/polygon_soup.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
@@ -204,11 +205,13 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
       static_cast<std::size_t>(std::ranges::count(settled.is_turned, std::uint8_t{1}));
 
   auto plain = proved(soup, mesh);
+  const bool is_plain = plain.has_value();
   if (!plain) {
     plain = united_shells(soup, mesh, progress);
   }
   mesh::ExactMesh solid = plain ? std::move(*plain) : healing::wound_around(soup, mesh, progress);
-  report.united_overlaps = solid.triangles.size() != soup.triangles.size();
+  report.united_overlaps = !is_plain && !healing::keeps_surface(solid, soup);
+  report.parted_contacts = !is_plain && !solid.contacts.empty();
   return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};
 }
 

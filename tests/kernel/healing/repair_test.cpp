@@ -239,6 +239,21 @@ TEST(Repair, unites_a_surface_that_crosses_itself_and_shares_points) {
   EXPECT_GT(repaired.solid.exact_volume(), Solid::from(mesh).exact_volume());
 }
 
+// It was told by the number of triangles, which may be the same, or grow where nothing overlaps.
+TEST(Repair, says_that_overlaps_are_united_where_they_are) {
+  TriMesh inside_one = joined({cube(0, 8), cube(4, 12), cube(1, 2)});
+  const Repaired overlapping = repair(inside_one);
+  ASSERT_EQ(overlapping.solid.triangle_count(), inside_one.triangles.size());
+  EXPECT_EQ(overlapping.report, (RepairReport{.united_overlaps = true}));
+  // A corner in the middle of the other's edge: it is divided, and no more.
+  const TriMesh beside = joined({cube(0, 2), box({2, 2, 1}, {3, 3, 4})});
+  const Repaired touching = repair(joined({beside, beside}));
+  EXPECT_EQ(touching.report.duplicate_faces, 24U);
+  EXPECT_FALSE(touching.report.united_overlaps);
+  EXPECT_TRUE(touching.report.parted_contacts);
+  EXPECT_EQ(touching.solid.exact_volume(), 11);
+}
+
 // All of them in one arrangement took half a minute.
 TEST(Repair, unites_many_shells_in_one_place_in_steps) {
   std::mt19937 random(200);
