@@ -108,25 +108,46 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   return report;
 }
 
-/// STL has no vertices, only corners: readers weld those that coincide.
-void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to,
-                     const ContactChoice& choice) {
-  if (!to.format.merges_points || contacts.empty()) {
-    return;
-  }
+std::string places_text(const std::vector<Contact>& contacts) {
   constexpr std::size_t kTold = 3;
   std::string places;
   for (std::size_t i = 0; i < std::min(kTold, contacts.size()); ++i) {
     places += (i == 0 ? " " : ", ") + place_text(contacts[i].from);
   }
+  return counted(contacts.size(), "place") + ", at" + places +
+         (contacts.size() > kTold ? ", ..." : "");
+}
+
+/// STL has no vertices, only corners: readers weld those that coincide.
+void refuse_to_be_welded(const std::vector<Contact>& contacts, const Destination& to,
+                         const ContactChoice& choice) {
+  if (!to.format.merges_points || contacts.empty()) {
+    return;
+  }
   throw Error(Errc::contact,
-              "the solid touches itself in " + counted(contacts.size(), "place") + ", at" + places +
-                  (contacts.size() > kTold ? ", ..." : "") +
+              "the solid touches itself in " + places_text(contacts) +
                   ", and readers of STL would weld it there; write another format, or " +
                   (choice.length > 0 ? "give --contacts more than " + number(choice.length) +
                                            ", which is too little for the numbers it is rounded to"
                                      : "see --contacts separate=LENGTH and bridge=LENGTH"),
               {}, shown(to));
+}
+
+/// Of the solid, or what else only rounding has made.
+void refuse_if_chosen(const std::vector<Contact>& contacts, bool by_rounding, const Destination& to,
+                      const ContactChoice& choice) {
+  if (choice.kind != ContactChoice::Kind::refuse || contacts.empty()) {
+    return;
+  }
+  throw Error(
+      Errc::contact,
+      "the solid touches itself in " + places_text(contacts) + ", which --contacts refuse forbids" +
+          (by_rounding
+               ? ", once its points are rounded to the numbers of " + std::string(to.format.name) +
+                     "; a format of finer numbers, or --contacts report, would do"
+               : "; --contacts report writes it as it is, separate=LENGTH or bridge=LENGTH "
+                 "without"),
+      {}, shown(to));
 }
 
 }  // namespace
@@ -231,6 +252,7 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
                             const RoundingOptions& rounding, const ContactChoice& contacts,
                             OutputReport& report, const Progress& progress) {
   OutputReport own;
+  refuse_if_chosen(solid.contacts(), false, to, contacts);
   if (!solid.contacts().empty()) {
     tell(progress, "settle");
   }
@@ -239,7 +261,8 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points;
   Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)
                           : to_mesh(settled, to.format.coordinates, rounding);
-  refuse_contacts(rounded.contacts(), to, contacts);
+  refuse_if_chosen(rounded.contacts(), true, to, contacts);
+  refuse_to_be_welded(rounded.contacts(), to, contacts);
   if (own.settled) {
     add_settled(*std::move(own.settled), report);
   }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "exit_code.h"
 #include "support/shapes.h"
 
@@ -48,6 +49,22 @@ TEST(ContactOptions, settle_contacts_and_tell) {
   EXPECT_EQ(report.settled->contacts.size(), 1U);
   EXPECT_TRUE(settle(touching, contact_choice("separate=0.25", ""), report).contacts().empty());
   EXPECT_EQ(report.settled->policy, "separate");
+}
+
+TEST(ContactOptions, lengths_too_short_are_no_fault_of_the_solid) {
+  const Solid touching = unite(std::vector{Solid::from(test::box({0, 0, 0}, {1, 1, 1})),
+                                           Solid::from(test::box({1, 1, 0}, {2, 2, 1}))});
+  OutputReport report;
+  for (const std::string text : {"separate=1e-30", "bridge=1e-30"}) {
+    try {
+      (void)settle(touching, contact_choice(text, ""), report);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::contact);
+      EXPECT_NE(error.message().find("the length must be above"), std::string::npos);
+    }
+    EXPECT_FALSE(report.settled.has_value());
+  }
 }
 
 TEST(ContactOptions, tell_what_was_ended_for_the_format) {

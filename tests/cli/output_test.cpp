@@ -1,3 +1,6 @@
+#include "output.h"
+
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -5,8 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "contact_options.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/rounding.h"
+#include "support/pipe_unions.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -39,6 +47,66 @@ TEST_F(Output, a_chain_of_pipes_needs_no_files) {
       " | dupin -q subtract - b.off -o - --format stl | dupin check - --json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(nlohmann::json::parse(result.out).at("volume"), 7);
+}
+
+TEST_F(Output, has_no_contacts_where_they_are_refused_whichever_the_command) {
+  const TriMesh left = box({0, 0, 0}, {1, 1, 1}), right = box({1, 1, 0}, {2, 2, 1});
+  put("left.off", left);
+  put("right.off", right);
+  put("touching.off", joined({left, right}));
+  const auto before = folder_.files();
+  const std::vector<std::vector<std::string>> commands = {
+      {"repair", "touching.off"},
+      {"union", "touching.off", "touching.off"},
+      {"union", "left.off", "right.off"},
+      {"intersect", "touching.off", "touching.off"},
+      {"boolean", "a + b", "a=left.off", "b=right.off"},
+  };
+  for (const std::string format : {"off", "obj", "ply", "glb", "3mf", "stl"}) {
+    for (std::vector<std::string> line : commands) {
+      SCOPED_TRACE(line[0] + " " + format);
+      line.insert(line.end(), {"-o", "out." + format, "--contacts", "refuse"});
+      EXPECT_EQ(dupin(line).exit_code, 4);
+    }
+  }
+  EXPECT_EQ(dupin({"union", "left.off", "right.off", "-o", "out.ply", "--contacts", "refuse",
+                   "--tiles", "2"})
+                .exit_code,
+            4);
+  EXPECT_EQ(folder_.files(), before);
+  EXPECT_EQ(dupin({"repair", "touching.off", "-o", "out.off", "--contacts", "refuse"}).err,
+            "dupin: out.off: the solid touches itself in 1 place, at (1, 1, 0), which --contacts "
+            "refuse forbids; --contacts report writes it as it is, separate=LENGTH or "
+            "bridge=LENGTH without\n");
+}
+
+// Pipes that rest on others, as exact as they are, touch each other once they are rounded.
+TEST_F(Output, has_no_contacts_by_rounding_where_they_are_refused) {
+  cli::OutputArguments arguments;
+  arguments.path = "out.glb";
+  const cli::Destination to = cli::destination(arguments);
+  std::size_t touching = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const Solid solid = unite(resting_pipes(8, seed));
+    ASSERT_TRUE(solid.contacts().empty());
+    OutputReport report;
+    std::string message;
+    try {
+      (void)cli::settled_and_rounded(solid, to, {}, cli::contact_choice("refuse", "mm"), report);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::contact);
+      message = error.message();
+    }
+    const bool touches = !to_mesh(solid, Coordinates::binary32).contacts().empty();
+    EXPECT_EQ(
+        message.find("which --contacts refuse forbids, once its points are rounded to the "
+                     "numbers of binary glTF; a format of finer numbers") != std::string::npos,
+        touches)
+        << message;
+    touching += touches ? 1 : 0;
+  }
+  EXPECT_GT(touching, 0U);
 }
 
 TEST_F(Output, is_not_read_back_with_no_verify) {
