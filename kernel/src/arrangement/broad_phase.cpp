@@ -200,6 +200,51 @@ class Slicer {
   double slack_;
 };
 
+// Triangles of one operand around a corner, of which there may be thousands.
+class Neighbours {
+ public:
+  Neighbours(const ArrangementInput& input, std::uint32_t operand, const Axes& axes, double slack)
+      : input_(input), mesh_(*input.operands[operand]), first_(input.first_triangle[operand]) {
+    points_.reserve(mesh_.points.size());
+    for (const Vec3& point : mesh_.points) {
+      points_.push_back(rotated(axes, point));
+    }
+    slack_ = Vec3::Constant(slack);
+  }
+
+  // False only if one corner is all that they have in common, or other slices of them will do.
+  // Lemma: if they meet in more, they do along a ray from there, on which one of them ends first,
+  // in the edge opposite to the corner; and some slices of both hold that end.
+  [[nodiscard]] bool may_meet(const TriangleBox& a, const TriangleBox& b) const {
+    const Triangle &p = input_.triangles[a.triangle], &q = input_.triangles[b.triangle];
+    std::size_t common = 0, of_a = 0, of_b = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p[i] == q[k]) {
+          ++common;
+          of_a = i;
+          of_b = k;
+        }
+      }
+    }
+    return common != 1 || reaches_into(b, opposite(a.triangle, of_a)) ||
+           reaches_into(a, opposite(b.triangle, of_b));
+  }
+
+ private:
+  [[nodiscard]] Bounds opposite(std::uint32_t triangle, std::size_t corner) const {
+    const Triangle& corners = mesh_.triangles[triangle - first_];
+    const Vec3 &from = points_[corners[(corner + 1) % 3]], &to = points_[corners[(corner + 2) % 3]];
+    return {from.cwiseMin(to) - slack_, from.cwiseMax(to) + slack_};
+  }
+
+  const ArrangementInput& input_;
+  const mesh::ExactMesh& mesh_;
+  std::uint32_t first_;
+  std::vector<Vec3> points_;
+  Vec3 slack_;
+};
+
 class Finder {
  public:
   explicit Finder(const ArrangementInput& input)
@@ -233,23 +278,22 @@ class Finder {
     std::vector<TriangleBox> b_boxes = boxes(b, b_runs, axes, window(a, a_bounds));
     std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes, bounds_of(b_boxes));
     b_boxes = within(bounds_of(a_boxes), b_boxes);
-    const bool in_slices = expected_pairs(a_boxes, b_boxes) >
-                           kManyPairs * static_cast<double>(a_boxes.size() + b_boxes.size());
+    const bool in_slices = expects_many_pairs(a_boxes, b_boxes);
     if (in_slices) {
       a_boxes = within(bounds_of(b_boxes), sliced(a, a_boxes, axes));
       b_boxes = within(bounds_of(a_boxes), sliced(b, b_boxes, axes));
     }
     std::vector<TrianglePair> found = overlapping(a_boxes, b_boxes);
-    sort(found);
-    if (in_slices) {
-      found.erase(std::unique(found.begin(), found.end()), found.end());
-    }
+    sort(found, in_slices);
     return found;
   }
 
  private:
-  // For each box; with fewer, slicing takes longer than it saves.
-  static constexpr double kManyPairs = 32;
+  [[nodiscard]] static bool expects_many_pairs(const std::vector<TriangleBox>& a,
+                                               const std::vector<TriangleBox>& b) {
+    constexpr double kMany = 32;  // for each box; with fewer, slicing takes longer than it saves
+    return expected_pairs(a, b) > kMany * static_cast<double>(a.size() + b.size());
+  }
 
   // If boxes lay anywhere in the bounds of the larger of the two sets.
   [[nodiscard]] static double expected_pairs(const std::vector<TriangleBox>& a,
@@ -306,26 +350,35 @@ class Finder {
     return support::joined(std::move(parts));
   }
 
-  void sort(std::vector<TrianglePair>& found) const {
+  // Pairs of several slices are several times there.
+  void sort(std::vector<TrianglePair>& found, bool in_slices) const {
     support::sort_by_key(
         found, static_cast<std::uint32_t>(input_.triangles.size()),
         [](const TrianglePair& pair) { return pair.first; }, std::less<>());
+    if (in_slices) {
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+    }
   }
 
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);
-    const std::vector<TriangleBox> all =
-        boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
+    const Axes& axes = framed_[operand].axes;
+    std::vector<TriangleBox> all = boxes(operand, runs, axes, framed_[operand].bounds);
+    const bool in_slices = expects_many_pairs(all, all);
+    if (in_slices) {
+      all = sliced(operand, all, axes);
+    }
     const boxes::BoxTree tree = tree_over(all, quantizer_for(bounds_of(all), Bounds()));
+    const Neighbours neighbours(input_, operand, axes, slack_);
     std::vector<TrianglePair> result;
     boxes::TreeTraversal(tree).visit([&](std::uint32_t i, std::uint32_t k) {
       const TriangleBox &x = all[tree.items()[i]], &y = all[tree.items()[k]];
-      if (overlap(x, y)) {
+      if (x.triangle != y.triangle && overlap(x, y) && neighbours.may_meet(x, y)) {
         result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
       }
     });
-    sort(result);
+    sort(result, in_slices);
     return result;
   }
 

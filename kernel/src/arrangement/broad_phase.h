@@ -19,7 +19,8 @@ struct TrianglePair {
 };
 
 /// Stage 2: for each pair of operands in question, pairs of triangles whose boxes overlap, every
-/// pair that meets among them; merged triangles left out. In a fixed order.
+/// pair that meets among them, but of one operand those that have a corner in common and no more;
+/// merged triangles left out. In a fixed order.
 [[nodiscard]] std::vector<TrianglePair> broad_phase(const ArrangementInput& input,
                                                     const support::ProgressStage& stage);
 

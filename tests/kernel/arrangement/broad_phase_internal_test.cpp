@@ -1,3 +1,7 @@
+#include <cmath>
+#include <numbers>
+#include <random>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
@@ -106,6 +110,88 @@ TEST(Candidates, hold_all_that_meets_where_long_triangles_are_looked_at_in_slice
     }
   }
   EXPECT_GT(meeting, 100U);
+}
+
+// A fan about the apex and one about the middle of the base.
+TriMesh cone(const Vec3& apex, const Vec3& axis, std::uint32_t sides) {
+  TriMesh mesh{{apex, apex + axis}, {}, {}, {}};
+  const Vec3 u = axis.unitOrthogonal(), v = axis.normalized().cross(u);
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    mesh.points.emplace_back(apex + axis + std::cos(angle) * u + std::sin(angle) * v);
+    const std::uint32_t a = 2 + i, b = 2 + (i + 1) % sides;
+    mesh.triangles.push_back({0, b, a});
+    mesh.triangles.push_back({1, a, b});
+  }
+  return mesh;
+}
+
+// Nearly all share corners with many others, and many lie in one plane.
+TriMesh random_fans(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  TriMesh mesh;
+  while (mesh.points.size() < 40) {
+    mesh.points.emplace_back(random() % 5, random() % 5, random() % 3);
+  }
+  while (mesh.triangles.size() < 300) {
+    const Triangle t = {static_cast<std::uint32_t>(random() % 4),
+                        static_cast<std::uint32_t>(random() % 40),
+                        static_cast<std::uint32_t>(random() % 40)};
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    if (!(b - a).cross(c - a).isZero(0)) {
+      mesh.triangles.push_back(t);
+    }
+  }
+  return mesh;
+}
+
+mesh::ExactMesh surface_of(const TriMesh& mesh) {
+  mesh::ExactMesh surface;
+  surface.points = mesh.points;
+  surface.triangles = mesh.triangles;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    surface.sources.push_back({0, i});
+  }
+  return surface;
+}
+
+// The number of pairs of one surface.
+std::size_t expect_all_within(const TriMesh& mesh) {
+  const mesh::ExactMesh surface = surface_of(mesh);
+  const mesh::ExactMesh* const operand = &surface;
+  const UpwardRounding rounding;
+  const ArrangementInput input = load_operands({&operand, 1}, union_rule(1), {{0, 0}});
+  const Progress silent;
+  const std::vector<TrianglePair> candidates =
+      broad_phase(input, support::ProgressStage(silent, "test", 0, 1));
+  EXPECT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+  EXPECT_EQ(std::adjacent_find(candidates.begin(), candidates.end()), candidates.end());
+  std::vector<TriangleIntersection> found;
+  std::size_t meeting = 0;
+  for (std::uint32_t i = 0; i < input.triangles.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < input.triangles.size(); ++j) {
+      found.clear();
+      if (!input.merged[i] && !input.merged[j]) {
+        intersect(input, i, j, found);
+      }
+      if (!found.empty()) {
+        ++meeting;
+        EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), TrianglePair{i, j}));
+      }
+    }
+  }
+  EXPECT_GT(meeting, 100U);
+  return candidates.size();
+}
+
+TEST(Candidates, of_one_surface_hold_all_that_meets_in_more_than_a_corner) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_all_within(random_fans(seed));
+  }
+  const TriMesh cones =
+      test::joined({cone({0, 0, 0}, {3, 2, 1}, 400), cone({0.5, 0.2, 1}, {3, 1.5, -1}, 400)});
+  EXPECT_LT(expect_all_within(cones), cones.triangles.size() * cones.triangles.size() / 20);
 }
 
 TEST(Candidates, come_in_the_same_order_every_time) {
