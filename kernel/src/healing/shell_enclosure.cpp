@@ -19,13 +19,15 @@ namespace {
 
 using ShellPair = std::pair<std::uint32_t, std::uint32_t>;  // outer, inner
 
-/// The number of the copies that a face is one of.
+/// The number of the copies that each face is one of, doubled, and one more if it runs the other
+/// way round.
 std::vector<std::uint32_t> numbers_of_copies(std::span<const Triangle> triangles) {
   std::vector<std::uint32_t> numbers(triangles.size());
   const std::vector<Copy> sorted = sorted_copies(triangles);
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const bool is_copy = sorted[i].corners == sorted[i - 1].corners;
-    numbers[sorted[i].face] = numbers[sorted[i - 1].face] + (is_copy ? 0 : 1);
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    number += i > 0 && sorted[i].corners != sorted[i - 1].corners ? 2 : 0;
+    numbers[sorted[i].face] = number + (sorted[i].is_odd ? 1 : 0);
   }
   return numbers;
 }
@@ -40,44 +42,73 @@ class EnclosureFinder {
         nest_(mesh_, shells) {}
 
   std::vector<std::vector<std::uint32_t>> find() {
-    find_candidates();
     std::vector<std::vector<std::uint32_t>> around(shells_.count);
-    if (candidates_.empty()) {
+    if (shells_.count < 2) {
       return around;
     }
     copies_ = numbers_of_copies(soup_.triangles);
-    for (std::uint32_t shell = 0; shell < shells_.count; ++shell) {
-      faces_.push_back(faces_of(shell));
+    group_copies();
+    find_candidates();
+    if (candidates_.empty()) {
+      return around;
     }
     find_crossing();
     for (const ShellPair& pair : candidates_) {
       if (encloses(pair)) {
-        around[pair.second].push_back(pair.first);
+        for (const std::uint32_t inner : same_as_[pair.second]) {
+          around[inner].insert(around[inner].end(), same_as_[pair.first].begin(),
+                               same_as_[pair.first].end());
+        }
       }
+    }
+    for (auto& outer : around) {
+      std::ranges::sort(outer);
     }
     return around;
   }
 
  private:
+  // Of shells of the same faces that turn the same way, or all the other way, one stands for all.
+  void group_copies() {
+    same_as_.resize(shells_.count);
+    std::map<std::vector<std::uint32_t>, std::uint32_t> first;
+    for (std::uint32_t shell = 0; shell < shells_.count; ++shell) {
+      std::vector<std::uint32_t> turned = turned_faces_of(shell);
+      faces_.push_back(turned);
+      for (std::uint32_t& face : faces_.back()) {
+        face /= 2;
+      }
+      same_as_[first.try_emplace(std::move(turned), shell).first->second].push_back(shell);
+    }
+  }
+
+  // By copies_, ascending, the first one even.
+  [[nodiscard]] std::vector<std::uint32_t> turned_faces_of(std::uint32_t shell) const {
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t face : shells_.faces_of(shell)) {
+      numbers.push_back(copies_[face]);
+    }
+    const std::uint32_t turn = numbers.empty() ? 0 : std::ranges::min(numbers) % 2;
+    for (std::uint32_t& number : numbers) {
+      number ^= turn;
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+  }
+
   // By boxes, ascending.
   void find_candidates() {
     for (std::uint32_t inner = 0; inner < shells_.count; ++inner) {
+      if (same_as_[inner].empty() || signs_[inner] == 0) {
+        continue;
+      }
       nest_.visit_boxes_around(inner, 0, [&](std::size_t outer) {
-        if (signs_[inner] != 0 && signs_[outer] != 0) {
+        if (!same_as_[outer].empty() && signs_[outer] != 0) {
           candidates_.emplace_back(static_cast<std::uint32_t>(outer), inner);
         }
       });
     }
     std::ranges::sort(candidates_);
-  }
-
-  [[nodiscard]] std::vector<std::uint32_t> faces_of(std::uint32_t shell) const {
-    std::vector<std::uint32_t> numbers;
-    for (const std::uint32_t face : shells_.faces_of(shell)) {
-      numbers.push_back(copies_[face]);
-    }
-    std::ranges::sort(numbers);
-    return numbers;
   }
 
   [[nodiscard]] bool is_candidate(std::uint32_t a, std::uint32_t b) const {
@@ -87,21 +118,30 @@ class EnclosureFinder {
 
   // Those that meet otherwise than in corners, edges and faces.
   void find_crossing() {
-    std::vector<std::uint8_t> is_active(soup_.triangles.size(), 0);
+    std::vector<std::uint8_t> is_candidate_shell(shells_.count, 0), is_inner(shells_.count, 0);
     for (const auto& [outer, inner] : candidates_) {
-      for (const std::uint32_t face : shells_.faces_of(inner)) {
-        is_active[face] = 1;
+      is_candidate_shell[outer] = is_candidate_shell[inner] = is_inner[inner] = 1;
+    }
+    std::vector<std::uint32_t> faces;
+    std::vector<Triangle> triangles;
+    std::vector<std::uint8_t> is_active;
+    for (std::uint32_t face = 0; face < soup_.triangles.size(); ++face) {
+      if (is_candidate_shell[shells_.of_face[face]]) {
+        faces.push_back(face);
+        triangles.push_back(soup_.triangles[face]);
+        is_active.push_back(is_inner[shells_.of_face[face]]);
       }
     }
-    const auto is_wanted = [this](std::uint32_t a, std::uint32_t b) {
-      return copies_[a] != copies_[b] && is_candidate(shells_.of_face[a], shells_.of_face[b]);
+    const auto is_wanted = [&](std::uint32_t i, std::uint32_t k) {
+      const std::uint32_t a = faces[i], b = faces[k];
+      return copies_[a] / 2 != copies_[b] / 2 &&
+             is_candidate(shells_.of_face[a], shells_.of_face[b]);
     };
     const auto found = checking::find_self_intersections(
-        soup_.points, soup_.triangles,
-        {.active = is_active, .contacts = false, .examined = is_wanted});
+        soup_.points, triangles, {.active = is_active, .contacts = false, .examined = is_wanted});
     for (const checking::FacePair& pair : found.pairs) {
-      const std::uint32_t a = shells_.of_face[pair.first], b = shells_.of_face[pair.second];
-      crossing_.emplace_back(std::min(a, b), std::max(a, b));
+      crossing_.push_back(
+          std::minmax(shells_.of_face[faces[pair.first]], shells_.of_face[faces[pair.second]]));
     }
     std::ranges::sort(crossing_);
     crossing_.erase(std::ranges::unique(crossing_).begin(), crossing_.end());
@@ -126,7 +166,7 @@ class EnclosureFinder {
     for (const std::uint32_t face : shells_.faces_of(inner)) {
       const double cost = mesh::ray_cost(mesh_, face);
       if ((best == support::kNone || cost < least) &&
-          !std::ranges::binary_search(faces_[outer], copies_[face])) {
+          !std::ranges::binary_search(faces_[outer], copies_[face] / 2)) {
         best = face;
         least = cost;
       }
@@ -171,9 +211,10 @@ class EnclosureFinder {
   mesh::MeshView mesh_;
   mesh::ShellNest nest_;
   std::vector<ShellPair> candidates_;
-  std::vector<std::uint32_t> copies_;              // per face
-  std::vector<std::vector<std::uint32_t>> faces_;  // of each shell, by copies_; ascending
-  std::vector<ShellPair> crossing_;                // the lower one first
+  std::vector<std::uint32_t> copies_;                // per face
+  std::vector<std::vector<std::uint32_t>> faces_;    // of each shell, by copies_ / 2; ascending
+  std::vector<std::vector<std::uint32_t>> same_as_;  // of the first of some; ascending
+  std::vector<ShellPair> crossing_;                  // the lower one first
   std::map<std::uint32_t, mesh::ExactMesh> regions_;
 };
 

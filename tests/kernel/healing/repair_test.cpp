@@ -189,6 +189,13 @@ TEST(Repair, takes_no_longer_for_many_copies_or_many_pieces_of_an_edge) {
   const Repaired once = repair(joined(copies));
   EXPECT_EQ(once.solid.exact_volume(), 8);
   EXPECT_EQ(once.report.duplicate_faces, 12 * 4999U);
+  std::vector<TriMesh> both(1501, cube(0, 2));
+  for (std::size_t i = 1; i < both.size(); i += 2) {
+    both[i] = reversed(both[i]);
+  }
+  const Repaired either = repair(joined(both));
+  EXPECT_EQ(either.solid.exact_volume(), 8);
+  EXPECT_EQ(either.report.duplicate_faces, 12 * 1500U);
   const Repaired divided = repair(with_fan(4096));
   EXPECT_EQ(divided.solid.exact_volume(), 1024 * 1024 * 1024);
   EXPECT_EQ(divided.report.degenerate_faces, 4095U);

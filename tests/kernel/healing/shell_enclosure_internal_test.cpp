@@ -41,6 +41,26 @@ TEST(ShellEnclosure, what_crosses_or_coincides_is_not_within) {
   EXPECT_EQ(depths(outer, box({1, 1, 1}, {2, 2, 2})), (std::vector{0, 1}));
 }
 
+// Each counts, whichever way it turns.
+TEST(ShellEnclosure, copies_are_around_what_one_of_them_is_around) {
+  const TriMesh inner = box({1, 1, 1}, {2, 2, 2}), crossing = box({7, 7, 7}, {9, 9, 9});
+  const PolygonSoup soup =
+      soup_of(joined({kOuter, inner, test::reversed(kOuter), kOuter, test::reversed(inner), inner,
+                      crossing, test::reversed(crossing)}));
+  std::vector<std::uint32_t> lowest;
+  for (std::uint32_t face = 0; face < soup.triangles.size(); ++face) {
+    lowest.push_back(face - face % 12);
+  }
+  const PolygonSoup merged = merge_duplicate_points({soup.points, soup.triangles, {}, {}}).soup;
+  const ShellEnclosure enclosure(merged, mesh::grouped(lowest),
+                                 std::array{1, 1, -1, 1, -1, 1, 1, -1});
+  EXPECT_EQ(enclosure.depths(), (std::vector{0, 3, 0, 0, 3, 3, 0, 0}));
+  for (const std::size_t shell : {1, 4, 5}) {
+    const auto around = enclosure.around(shell);
+    EXPECT_EQ(std::vector(around.begin(), around.end()), (std::vector{0U, 2U, 3U}));
+  }
+}
+
 TEST(ShellEnclosure, shells_may_share_faces) {
   TriMesh inner = test::tetrahedron({0, 0, 0}, 8);
   inner.points[3] = {0, 0, 1};
