@@ -199,7 +199,8 @@ class MshReader {
       tetrahedra_.push_back({corners_[0], corners_[1], corners_[2], corners_[3]});
       return;
     }
-    text::triangulate(corners_, mesh_.points, mesh_.triangles);
+    text::triangulate(corners_, mesh_.points, mesh_.triangles,
+                      [&] { return scanner_.place(scanner_.position()); });
     mesh_.labels.resize(mesh_.triangles.size(), label(physical));
   }
 

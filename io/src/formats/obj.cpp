@@ -65,12 +65,36 @@ bool read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
   if (scanner.take_triangle('f', 1, mesh.points.size(), mesh.triangles)) {
     return true;
   }
+  const std::size_t place = scanner.position();
   if (!scanner.take("f")) {
     return false;
   }
   read_corners(scanner, mesh.points.size(), corners);
-  text::triangulate(corners, mesh.points, mesh.triangles);
+  text::triangulate(corners, mesh.points, mesh.triangles, [&] { return scanner.place(place); });
   return true;
+}
+
+/// Moves on where a backslash continues the line.
+void continue_line(text::TextScanner& scanner) {
+  while (scanner.take("\\")) {
+    scanner.end_line("the end of the line behind a backslash");
+  }
+}
+
+/// One of which a backslash may continue the line anywhere.
+void read_long_vertex(text::TextScanner& scanner, TriMesh& mesh) {
+  Vec3 point;
+  for (double& coordinate : point) {
+    continue_line(scanner);
+    coordinate = scanner.number("a coordinate");
+  }
+  mesh.points.push_back(point);
+  continue_line(scanner);
+  for (int extra = 0; extra < 4 && !scanner.at_line_end(); ++extra) {
+    scanner.skip_number("a weight or a colour's component");
+    continue_line(scanner);
+  }
+  scanner.end_line("the end of the line behind a vertex");
 }
 
 void read_vertex(text::TextScanner& scanner, TriMesh& mesh) {
@@ -113,9 +137,10 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   bool named = false;
   std::vector<std::uint32_t> corners;
   bool has_statements = false;
+  const bool has_long_lines = bytes.find('\\') != std::string_view::npos;
   for (; !scanner.at_end(); has_statements = true) {
     if (scanner.take("v")) {
-      read_vertex(scanner, mesh);
+      has_long_lines ? read_long_vertex(scanner, mesh) : read_vertex(scanner, mesh);
     } else if (read_face(scanner, corners, mesh)) {
       if (!label) {
         label = labels.label(group.empty() ? "default" : group);

@@ -98,7 +98,7 @@ void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
     scanner.fail_at(place, "found more than 4 numbers behind a face of " + std::to_string(size) +
                                " vertices, expected at most a colour");
   }
-  text::triangulate(corners, mesh.points, mesh.triangles);
+  text::triangulate(corners, mesh.points, mesh.triangles, [&] { return scanner.place(place); });
 }
 
 Evidence recognise(std::string_view bytes) {

@@ -23,6 +23,7 @@
 namespace dupin {
 namespace {
 
+constexpr const char* kStripsLabel = "tristrips";  // of their triangles, where faces have labels
 constexpr std::int64_t kMostPoints = std::numeric_limits<std::uint32_t>::max();
 
 /// Position of a property by its name, if it has the wanted form.
@@ -57,6 +58,8 @@ class PlyReader {
         has_vertices = true;
       } else if (element.name == "face") {
         read_faces(element, has_vertices);
+      } else if (element.name == "tristrips" && element.count > 0) {
+        read_strips(element, has_vertices);
       } else {
         skip_all(element);
       }
@@ -178,6 +181,9 @@ class PlyReader {
                                            "'vertex_indices', expected one");
     }
     const auto label = find_property(element, "label", false, true);
+    if (label && !mesh_.triangles.empty() && mesh_.labels.empty()) {
+      mesh_.labels.resize(mesh_.triangles.size(), labels_.label(kStripsLabel));
+    }
     mesh_.triangles.reserve(mesh_.triangles.size() + element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       numbers_.begin_element();
@@ -205,6 +211,7 @@ class PlyReader {
         return;
       }
     }
+    const std::size_t place = numbers_.position();
     const std::int64_t size = numbers_.integer(property.count_type, 3, kMostPoints,
                                                "the number of a face's vertices, an integer");
     corners_.clear();
@@ -213,7 +220,54 @@ class PlyReader {
           numbers_.integer(property.type, 0, static_cast<std::int64_t>(mesh_.points.size()) - 1,
                            "the index of a vertex, an integer")));
     }
-    text::triangulate(corners_, mesh_.points, mesh_.triangles);
+    text::triangulate(corners_, mesh_.points, mesh_.triangles,
+                      [&] { return numbers_.place(place); });
+  }
+
+  /// Lists of points of which three that follow each other are a triangle, every other one turned;
+  /// -1 begins anew, and triangles that are none turn.
+  void read_strips(const formats::PlyElement& element, bool has_vertices) {
+    const auto corners = find_property(element, "vertex_indices", true, true);
+    if (!corners || !has_vertices) {
+      places_.fail_at(element.place,
+                      corners ? "found the element 'tristrips', expected 'vertex' before it"
+                              : "found an element 'tristrips' without a list of integers "
+                                "'vertex_indices', expected one");
+    }
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_element();
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        k == *corners ? read_strip(element.properties[k]) : skip_property(element.properties[k]);
+      }
+      numbers_.end_element();
+    }
+    if (!mesh_.labels.empty()) {
+      mesh_.labels.resize(mesh_.triangles.size(), labels_.label(kStripsLabel));
+    }
+  }
+
+  void read_strip(const formats::PlyProperty& property) {
+    const std::int64_t size =
+        numbers_.integer(property.count_type, 0, kMostPoints, "the length of a strip, an integer");
+    corners_.clear();
+    for (std::int64_t i = 0; i < size; ++i) {
+      const std::int64_t corner =
+          numbers_.integer(property.type, -1, static_cast<std::int64_t>(mesh_.points.size()) - 1,
+                           "the index of a vertex or -1, an integer");
+      if (corner < 0) {
+        corners_.clear();
+        continue;
+      }
+      corners_.push_back(static_cast<std::uint32_t>(corner));
+      if (corners_.size() < 3) {
+        continue;
+      }
+      const std::size_t last = corners_.size() - 1, odd = corners_.size() % 2 == 0 ? 1 : 0;
+      const Triangle t = {corners_[last - 2], corners_[last - 1 + odd], corners_[last - odd]};
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
+        mesh_.triangles.push_back(t);
+      }
+    }
   }
 
   [[nodiscard]] std::string label_name() const {

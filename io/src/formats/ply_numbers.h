@@ -46,6 +46,8 @@ class PlyTextNumbers {
     }
   }
   [[nodiscard]] std::size_t remaining() const { return scanner_.remaining() + 1; }
+  [[nodiscard]] std::size_t position() const { return scanner_.position(); }
+  [[nodiscard]] std::string place(std::size_t position) const { return scanner_.place(position); }
   [[nodiscard]] const text::TextScanner& scanner() const { return scanner_; }
 
  private:
@@ -107,6 +109,10 @@ class PlyByteNumbers {
     }
   }
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
+  [[nodiscard]] std::size_t position() const { return position_; }
+  [[nodiscard]] std::string place(std::size_t position) const {
+    return std::string(file_) + ":byte " + std::to_string(position);
+  }
 
  private:
   static constexpr std::size_t kPastInt32 = std::size_t{1} << 31;
@@ -116,8 +122,7 @@ class PlyByteNumbers {
   }
 
   [[noreturn]] void fail(std::size_t place, const std::string& message) const {
-    throw Error(Errc::parse_failed, message, {},
-                std::string(file_) + ":byte " + std::to_string(place));
+    throw Error(Errc::parse_failed, message, {}, this->place(place));
   }
 
   /// The next number, of the type `Stored`.

@@ -223,7 +223,7 @@ class VtpReader {
         }
         corners.push_back(first + static_cast<std::uint32_t>(corner));
       }
-      text::triangulate(corners, mesh_.points, mesh_.triangles);
+      text::triangulate(corners, mesh_.points, mesh_.triangles, [] { return std::string(); });
       if (!piece.labels.empty()) {
         mesh_.labels.resize(mesh_.triangles.size(), label(piece.labels[piece.before + i]));
       }

@@ -14,8 +14,6 @@
 namespace dupin::text {
 namespace {
 
-constexpr std::size_t kLargestPolygon = 20000;
-
 using Point2 = std::array<double, 2>;
 
 /// Sign of twice the area of a, b, c: positive when counter-clockwise.
@@ -178,13 +176,16 @@ class EarClipper {
 
 }  // namespace
 
+void refuse_polygon(std::size_t corners, std::string where) {
+  throw Error(Errc::limit_exceeded,
+              "a face of " + std::to_string(corners) + " vertices is more than the " +
+                  std::to_string(kLargestPolygon) +
+                  " that are cut into triangles; write it as triangles",
+              {}, std::move(where));
+}
+
 void cut_into_triangles(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
                         std::vector<Triangle>& triangles) {
-  if (corners.size() > kLargestPolygon) {
-    throw Error(Errc::limit_exceeded,
-                "a face of " + std::to_string(corners.size()) + " vertices is more than the " +
-                    std::to_string(kLargestPolygon) + " that are cut into triangles");
-  }
   EarClipper(corners, projected(corners, points), triangles).clip();
 }
 

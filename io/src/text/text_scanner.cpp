@@ -209,9 +209,12 @@ void TextScanner::fail(std::string_view expected) {
   fail_at(position_, "found " + found + ", expected " + std::string(expected));
 }
 
+std::string TextScanner::place(std::size_t position) const {
+  return std::string(file_) + ":" + std::to_string(LineCounter(bytes_).at(position));
+}
+
 void TextScanner::fail_at(std::size_t position, const std::string& message) const {
-  throw Error(Errc::parse_failed, message, {},
-              std::string(file_) + ":" + std::to_string(LineCounter(bytes_).at(position)));
+  throw Error(Errc::parse_failed, message, {}, place(position));
 }
 
 std::string quoted(std::string_view bytes) {

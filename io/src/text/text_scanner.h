@@ -96,6 +96,8 @@ class TextScanner {
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
   void move_to(std::size_t position) { position_ = position; }
 
+  /// "file:line" of a position.
+  [[nodiscard]] std::string place(std::size_t position) const;
   /// Throws Error{parse_failed}: "found TOKEN, expected EXPECTED" at the next token.
   [[noreturn]] void fail(std::string_view expected);
   /// Throws Error{parse_failed} with "file:line" of `position`.
@@ -107,6 +109,11 @@ class TextScanner {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
   }
   [[nodiscard]] bool is_comment(char c) const { return comment_ != '\0' && c == comment_; }
+  /// A backslash right before the line's end, which some formats have.
+  [[nodiscard]] bool continues_line(std::size_t position) const {
+    return bytes_[position] == '\\' && position + 1 < bytes_.size() &&
+           is_line_end(bytes_[position + 1]);
+  }
   [[nodiscard]] bool is_at(char c) const {
     return position_ < bytes_.size() && bytes_[position_] == c;
   }
@@ -119,7 +126,7 @@ class TextScanner {
       return true;
     }
     const char c = bytes_[position];
-    return is_blank(c) || is_line_end(c) || is_comment(c);
+    return is_blank(c) || is_line_end(c) || is_comment(c) || continues_line(position);
   }
 
   // What the short functions above do for all that files seldom hold.

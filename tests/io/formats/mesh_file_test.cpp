@@ -33,18 +33,31 @@ TEST_F(MeshFile, the_content_tells_the_format) {
   }
 }
 
-TEST_F(MeshFile, limits_are_told_with_the_file) {
-  std::string text = "OFF\n20001 1 0\n", face = "20001";
+TEST_F(MeshFile, limits_are_told_with_their_place) {
+  std::string points, obj_points, face, obj_face = "f";
   for (int i = 0; i <= 20000; ++i) {
-    text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+    const std::string point = std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+    points += point;
+    obj_points += "v " + point;
     face += " " + std::to_string(i);
+    obj_face += " " + std::to_string(i + 1);
   }
-  try {
-    (void)read_mesh(text + face + "\n", "large.off");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::limit_exceeded);
-    EXPECT_EQ(error.where(), "large.off");
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 20001\nproperty int x\nproperty int y\n"
+      "property int z\nelement face 1\nproperty list int int vertex_indices\nend_header\n";
+  const struct {
+    std::string file, text, place;
+  } table[] = {{"large.off", "OFF\n20001 1 0\n" + points + "20001" + face + "\n", ":20004"},
+               {"large.obj", obj_points + obj_face + "\n", ":20002"},
+               {"large.ply", ply + points + "20001" + face + "\n", ":20011"}};
+  for (const auto& [file, text, place] : table) {
+    try {
+      (void)read_mesh(text, file);
+      ADD_FAILURE() << file;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::limit_exceeded);
+      EXPECT_EQ(error.where(), file + place);
+    }
   }
 }
 

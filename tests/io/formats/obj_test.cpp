@@ -58,6 +58,8 @@ TEST(Obj, reads_every_dialect) {
       "v 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nf -3 -1 -2\nv 0 0 1 0.5 0.5 0.5 1\nf 1 2 -1\nf 1 \\\n4 "
       "\\\n3\n"
       "f -3 -2 -1\n",
+      "v 0 0 0 \\\n\nv 1 \\\n0 0\nv \\\r\n0 1\\\n0 \\\n1.0\nv 0 0 1 0.5 0.5 \\\n0.5 1\nf 1 3 2\n"
+      "f 1 2 4\nf 1 4 3\nf 2 3 4\n",
       kPoints + "f 1 3\\\n2\nf 1\\\r\n2/1/1\\\r\n4\nf 1 4 3\\\n\nf 2 3 4\n",
   };
   for (const std::string& file : files) {
@@ -124,6 +126,8 @@ TEST(Obj, malformed_files_are_refused_with_their_line) {
            "x.obj:5: found '3', expected the end of the line behind a backslash"},
           {kPoints + "f 1 2\\ 3 4\n",
            "x.obj:5: found '3', expected the end of the line behind a backslash"},
+          {"v 0 0 \\\n\n", "x.obj:2: found the end of the line, expected a coordinate"},
+          {"v 0 0 \\ 1\n", "x.obj:1: found '1', expected the end of the line behind a backslash"},
           {"v 0 0\n", "x.obj:1: found the end of the line, expected a coordinate"},
           {"v 0 0", "x.obj:1: found the end of the file, expected a coordinate"},
           {"v 0 0 nan\n", "x.obj:1: found 'nan', expected a coordinate that is finite"},

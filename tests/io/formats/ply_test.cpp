@@ -207,6 +207,52 @@ TEST(Ply, polygons_are_cut_and_keep_their_label) {
   EXPECT_EQ(mesh.names, std::vector<std::string>{"label 5"});
 }
 
+const std::string kStripsHead =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\n";
+const std::string kStrips = "element tristrips 2\nproperty list int int vertex_indices\n";
+const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+TEST(Ply, strips_are_triangles_beside_faces) {
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  EXPECT_EQ(read_ply(kStripsHead + kStrips + "end_header\n" + kPoints +
+                         "9 0 2 1 -1 0 1 3 -1 2\n5 1 2 2 3 0\n",
+                     "x.ply")
+                .triangles,
+            (std::vector<Triangle>{{0, 2, 1}, {0, 1, 3}, {2, 3, 0}}));
+  EXPECT_EQ(
+      read_ply(kStripsHead + faces + kStrips + "end_header\n" + kPoints + "3 0 2 1\n4 0 1 3 2\n0\n",
+               "x.ply")
+          .triangles,
+      (std::vector<Triangle>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}));
+}
+
+TEST(Ply, triangles_of_strips_have_a_label_where_faces_have) {
+  const std::string faces =
+      "element face 1\nproperty list uchar int vertex_indices\nproperty int label\n";
+  const TriMesh after = read_ply(
+      kStripsHead + faces + kStrips + "end_header\n" + kPoints + "3 0 2 1 5\n4 0 1 3 2\n0\n",
+      "x.ply");
+  EXPECT_EQ(after.labels, (std::vector<std::uint32_t>{0, 1, 1}));
+  EXPECT_EQ(after.names, (std::vector<std::string>{"label 5", "tristrips"}));
+  const TriMesh before = read_ply(
+      kStripsHead + kStrips + faces + "end_header\n" + kPoints + "4 0 1 3 2\n0\n3 0 2 1 5\n",
+      "x.ply");
+  EXPECT_EQ(before.labels, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(before.names, (std::vector<std::string>{"tristrips", "label 5"}));
+}
+
+TEST(Ply, strips_that_are_none_are_refused) {
+  test::expect_refused(
+      read_ply, "x.ply",
+      {
+          {kStripsHead + "element tristrips 1\nproperty int n\nend_header\n" + kPoints + "1\n",
+           "x.ply:7: found an element 'tristrips' without a list of integers 'vertex_indices', "
+           "expected one"},
+          {kStripsHead + kStrips + "end_header\n" + kPoints + "3 0 1 4\n0\n",
+           "x.ply:14: found '4', expected the index of a vertex or -1, an integer from -1 to 3"},
+      });
+}
+
 TEST(Ply, malformed_files_are_refused_with_their_place) {
   const std::string format = "ply\nformat ascii 1.0\n";
   const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\n";

@@ -2,14 +2,18 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <string>
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "text/polygon.h"
 
 namespace dupin {
 namespace {
+
+std::string nowhere() { return {}; }
 
 std::vector<std::uint32_t> all_corners(std::size_t size) {
   std::vector<std::uint32_t> corners(size);
@@ -26,7 +30,7 @@ mpq_class twice_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// add up to the polygon's.
 void expect_exact_cover(const std::vector<Vec3>& points) {
   std::vector<Triangle> triangles;
-  text::triangulate(all_corners(points.size()), points, triangles);
+  text::triangulate(all_corners(points.size()), points, triangles, nowhere);
   ASSERT_EQ(triangles.size(), points.size() - 2);
   mpq_class covered = 0;
   for (const Triangle& t : triangles) {
@@ -98,7 +102,7 @@ TEST(Polygon, orientation_is_kept_in_every_plane) {
         std::reverse(points.begin(), points.end());
       }
       std::vector<Triangle> triangles;
-      text::triangulate(all_corners(4), points, triangles);
+      text::triangulate(all_corners(4), points, triangles, nowhere);
       for (const Triangle& t : triangles) {
         const double x1 = points[t[1]][(axis + 1) % 3] - points[t[0]][(axis + 1) % 3];
         const double y1 = points[t[1]][(axis + 2) % 3] - points[t[0]][(axis + 2) % 3];
@@ -119,8 +123,22 @@ TEST(Polygon, one_that_is_not_simple_still_gives_all_its_triangles) {
   };
   for (const auto& polygon : polygons) {
     std::vector<Triangle> triangles;
-    text::triangulate(all_corners(polygon.size()), polygon, triangles);
+    text::triangulate(all_corners(polygon.size()), polygon, triangles, nowhere);
     EXPECT_EQ(triangles.size(), polygon.size() - 2);
+  }
+}
+
+TEST(Polygon, too_many_corners_are_refused_with_their_place) {
+  std::vector<Triangle> triangles;
+  const std::vector<std::uint32_t> corners = all_corners(text::kLargestPolygon + 1);
+  try {
+    text::triangulate(corners, {}, triangles, [] { return "x.off:7"; });
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_STREQ(error.what(),
+                 "x.off:7: a face of 20001 vertices is more than the 20000 that are cut into "
+                 "triangles; write it as triangles");
   }
 }
 
@@ -130,7 +148,7 @@ TEST(Polygon, a_hole_joined_by_a_bridge_is_covered) {
                                     {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}};
   const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 0, 4, 5, 6, 7, 4};
   std::vector<Triangle> triangles;
-  text::triangulate(corners, points, triangles);
+  text::triangulate(corners, points, triangles, nowhere);
   ASSERT_EQ(triangles.size(), 8U);
   mpq_class covered = 0;
   for (const Triangle& t : triangles) {

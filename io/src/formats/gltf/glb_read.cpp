@@ -82,9 +82,20 @@ class GlbReader {
       if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_texture_") &&
           !name.starts_with("KHR_lights_")) {
         fail("/extensionsRequired/" + std::to_string(i),
-             "found " + text::quoted(name) + ", expected no extension but of materials");
+             "found " + text::quoted(name) + ", expected no extension but of materials" +
+                 remedy_for(name));
       }
     }
+  }
+
+  static std::string remedy_for(const std::string& extension) {
+    if (extension.ends_with("_compression")) {
+      return "; decode the file, or export it without compression";
+    }
+    if (extension == "KHR_mesh_quantization") {
+      return "; convert its points to floats, or export it without quantization";
+    }
+    return "";
   }
 
   /// Of our own files, in which points are there once for each of their normals.
@@ -184,12 +195,22 @@ class GlbReader {
 
   Accessor accessor(std::size_t index, const std::string& type, std::size_t components) const {
     const auto [json, place] = document_.entry(index, "accessors");
-    if (json->contains("sparse") || document_.member(*json, place, "type") != type) {
-      fail(place, "found another kind of accessor, expected a dense one of " + type);
+    if (json->contains("sparse")) {
+      fail(place + "/sparse",
+           "found a sparse accessor, expected a dense one: others are not read; export it with all "
+           "values");
+    }
+    if (document_.member(*json, place, "type") != type) {
+      fail(place, "found another kind of accessor, expected one of " + type);
     }
     Accessor result;
     result.component_type =
         static_cast<int>(document_.unsigned_member(*json, place, "componentType"));
+    if (type == "VEC3" && result.component_type != formats::kGltfFloat) {
+      fail(place + "/componentType",
+           "found " + std::to_string(result.component_type) +
+               ", expected 5126, floats; convert quantized points to these");
+    }
     const std::size_t size = components * size_of(result.component_type, place);
     result.count = document_.unsigned_member(*json, place, "count");
     const auto [view, view_place] =
@@ -232,7 +253,7 @@ class GlbReader {
         return 4;
       default:
         fail(place + "/componentType",
-             "found " + std::to_string(component_type) + ", expected 5121, 5123, 5125 or 5126");
+             "found " + std::to_string(component_type) + ", expected 5121, 5123 or 5125");
     }
   }
 
@@ -244,9 +265,6 @@ class GlbReader {
       return known->second;
     }
     const Accessor points = accessor(index, "VEC3", 3);
-    if (points.component_type != formats::kGltfFloat) {
-      fail(place + "/attributes/POSITION", "found integers, expected floats");
-    }
     demand_room(12 * (points_ + geometry.points.size() + points.count), place);
     for (std::size_t i = 0; i < points.count; ++i) {
       const auto xyz = text::load<std::array<float, 3>>(bytes_, points.begin + i * points.stride);

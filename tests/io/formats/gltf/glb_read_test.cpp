@@ -81,22 +81,35 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
            "x.glb:/meshes: found meshes without triangles, expected some"},
           {changed("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})),
            "x.glb:/extensionsRequired/0: found 'KHR_draco_mesh_compression', expected no extension "
-           "but of materials"},
+           "but of materials; decode the file, or export it without compression"},
           {changed("/meshes/0/primitives/0/indices", -1),
            "x.glb:/meshes/0/primitives/0/indices: found -1, expected an integer from 0 to "
            "4294967295"},
           {changed("/meshes/0/primitives/0/indices", 2),
            "x.glb:/accessors/2: found nothing there, expected an entry"},
           {changed("/meshes/0/primitives/0/indices", 0),
-           "x.glb:/accessors/0: found another kind of accessor, expected a dense one of SCALAR"},
+           "x.glb:/accessors/0: found another kind of accessor, expected one of SCALAR"},
           {changed("/meshes/0/primitives/0/material", 0),
            "x.glb:: found no 'materials', expected one"},
           {changed("/accessors/0/sparse", 1),
-           "x.glb:/accessors/0: found another kind of accessor, expected a dense one of VEC3"},
+           "x.glb:/accessors/0/sparse: found a sparse accessor, expected a dense one: others are "
+           "not read; export it with all values"},
           {changed("/accessors/0/componentType", 5130),
-           "x.glb:/accessors/0/componentType: found 5130, expected 5121, 5123, 5125 or 5126"},
-          {changed("/accessors/0/componentType", 5125),
-           "x.glb:/meshes/0/primitives/0/attributes/POSITION: found integers, expected floats"},
+           "x.glb:/accessors/0/componentType: found 5130, expected 5126, floats; convert quantized "
+           "points to these"},
+          {changed("/accessors/0/componentType", 5122),
+           "x.glb:/accessors/0/componentType: found 5122, expected 5126, floats; convert quantized "
+           "points to these"},
+          {changed("/accessors/1/componentType", 5122),
+           "x.glb:/accessors/1/componentType: found 5122, expected 5121, 5123 or 5125"},
+          {changed("/accessors/1/componentType", 5126),
+           "x.glb:/meshes/0/primitives/0/indices: found floats, expected integers"},
+          {changed("/extensionsRequired", Json::array({"EXT_meshopt_compression"})),
+           "x.glb:/extensionsRequired/0: found 'EXT_meshopt_compression', expected no extension "
+           "but of materials; decode the file, or export it without compression"},
+          {changed("/extensionsRequired", Json::array({"KHR_mesh_quantization"})),
+           "x.glb:/extensionsRequired/0: found 'KHR_mesh_quantization', expected no extension but "
+           "of materials; convert its points to floats, or export it without quantization"},
           {changed("/accessors/0/count", 5),
            "x.glb:/accessors/0: found 5 entries of 12 bytes, 12 apart, expected room for them in a "
            "view of 48 bytes"},
