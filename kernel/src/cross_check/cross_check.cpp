@@ -1,5 +1,6 @@
 #include "dupin/kernel/cross_check.h"
 
+#include <exception>
 #include <new>
 #include <utility>
 #include <vector>
@@ -41,11 +42,49 @@ Task task(const Expression& expression, const std::map<std::string, Solid>& oper
   return {expression.steps(), booleans::operands_of(expression, operands)};
 }
 
+// The caller's callback. What it throws is not a failure of the engine's, whose exceptions may be
+// of the same types.
+class Callback {
+ public:
+  explicit Callback(const Progress& progress) {
+    if (progress) {
+      watched_ = [this, &progress](std::string_view stage, double fraction) {
+        try {
+          return progress(stage, fraction);
+        } catch (...) {
+          own_ = std::current_exception();
+          throw;
+        }
+      };
+    }
+  }
+  Callback(const Callback&) = delete;
+  Callback& operator=(const Callback&) = delete;
+  ~Callback() = default;
+
+  [[nodiscard]] const Progress& watched() const { return watched_; }
+  void rethrow() const {
+    if (own_) {
+      std::rethrow_exception(own_);
+    }
+  }
+
+ private:
+  Progress watched_;
+  std::exception_ptr own_;
+};
+
 Solid by_engine(CrossCheckEngine engine, const Task& task, const Progress& progress) {
-  return Solid(std::make_shared<const mesh::ExactMesh>(
-      engine == CrossCheckEngine::nef
-          ? cross_check::mesh_by_nef(task.request(), progress)
-          : cross_check::mesh_by_corefinement(task.request(), progress)));
+  const Callback callback(progress);
+  try {
+    return Solid(std::make_shared<const mesh::ExactMesh>(
+        engine == CrossCheckEngine::nef
+            ? cross_check::mesh_by_nef(task.request(), callback.watched())
+            : cross_check::mesh_by_corefinement(task.request(), callback.watched())));
+  } catch (...) {
+    callback.rethrow();
+    throw;
+  }
 }
 
 cross_check::Boundary boundary(CrossCheckEngine engine, const Task& task,
@@ -59,15 +98,21 @@ cross_check::Boundary boundary(CrossCheckEngine engine, const Task& task,
 // What the other engine has, or why it has nothing.
 std::optional<cross_check::Boundary> attempt(CrossCheckEngine engine, const Task& task,
                                              const Progress& progress, std::string& failure) {
+  const Callback callback(progress);
   try {
-    return boundary(engine, task, progress);
+    return boundary(engine, task, callback.watched());
   } catch (const Error& error) {
+    callback.rethrow();
     if (error.code() == Errc::cancelled) {
       throw;
     }
     failure = error.what();
   } catch (const std::bad_alloc&) {
+    callback.rethrow();
     failure = "there is not enough memory for " + std::string(name(engine));
+  } catch (...) {
+    callback.rethrow();
+    throw;
   }
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 #include "dupin/kernel/cross_check.h"
 
+#include <new>
 #include <random>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -254,6 +256,35 @@ TEST(CrossCheck, needs_all_operands_of_an_expression) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
     EXPECT_EQ(error.part(), "b");
   }
+}
+
+// What the caller throws, with which the engines' own failures have their types in common.
+template <class Fault>
+void expect_passed_on(const Fault& fault) {
+  const std::vector<Solid> two = {cube(0, 2), cube(1, 3)};
+  const Solid united = unite(two);
+  const Progress progress = [&](std::string_view, double) -> bool { throw Fault(fault); };
+  for (const CrossCheckEngine engine : kEngines) {
+    EXPECT_THROW((void)second_opinion(united, engine, SetOperation::unite, two, progress), Fault);
+    EXPECT_THROW((void)combine_by(engine, SetOperation::unite, two, progress), Fault);
+    const std::map<std::string, Solid> named = {{"a", two[0]}, {"b", two[1]}};
+    const Expression expression = Expression::parse("a + b");
+    EXPECT_THROW((void)second_opinion(united, engine, expression, named, progress), Fault);
+    EXPECT_THROW((void)evaluate_by(engine, expression, named, progress), Fault);
+  }
+}
+
+class OfTheCaller : public Error {
+ public:
+  OfTheCaller() : Error(Errc::boolean_failed, "mine") {}
+};
+
+TEST(CrossCheck, passes_on_what_the_callers_callback_throws) {
+  struct Mine {};
+  expect_passed_on(Mine());
+  expect_passed_on(std::bad_alloc());
+  expect_passed_on(std::runtime_error("mine"));
+  expect_passed_on(OfTheCaller());
 }
 
 }  // namespace

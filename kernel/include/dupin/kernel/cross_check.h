@@ -39,7 +39,8 @@ enum class CrossCheckEngine : std::uint8_t {
 /// Error{boolean_failed} with the engine's own words where it fails: both refuse an operand of
 /// which one shell touches itself (corefinement: any shells), and a result whose boundary is no
 /// 2-manifold (corefinement: along an edge). Throws Error{cancelled}; progress is told between the
-/// operations on two sets, and nothing stops within one.
+/// operations on two sets, and nothing stops within one. What the caller's callback throws passes
+/// through all of these as it is.
 [[nodiscard]] Solid combine_by(CrossCheckEngine engine, SetOperation operation,
                                std::span<const Solid> operands, const Progress& progress = {});
 /// Throws Error{invalid_argument} for an operand that is missing.
