@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <list>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "booleans/combine.h"
 #include "booleans/operands.h"
@@ -109,9 +113,9 @@ class Expression::Parser {
   }
   void operand(std::string_view name) {
     auto& names = result_.names_;
-    const auto at = std::find(names.begin(), names.end(), name);
-    result_.steps_.push_back({Kind::operand, static_cast<std::uint32_t>(at - names.begin())});
-    if (at == names.end()) {
+    const auto [at, is_new] = known_.try_emplace(name, static_cast<std::uint32_t>(names.size()));
+    result_.steps_.push_back({Kind::operand, at->second});
+    if (is_new) {
       names.emplace_back(name);
     }
   }
@@ -119,18 +123,23 @@ class Expression::Parser {
   std::string_view text_;
   std::size_t at_ = 0;
   int depth_ = 0;
+  std::map<std::string_view, std::uint32_t> known_;  // names, by their places
   Expression result_;
 };
 
 Expression Expression::parse(std::string_view text) { return Parser(text).run(); }
 
 std::string Expression::text() const {
+  // Of words that are spliced: texts would be copied at every step.
   struct Part {
-    std::string text;
+    std::list<std::string> words;
     Kind kind;
   };
-  const auto enclosed = [](const Part& part, bool needed) {
-    return needed ? '(' + part.text + ')' : part.text;
+  const auto enclose = [](Part& part, bool needed) {
+    if (needed) {
+      part.words.emplace_front("(");
+      part.words.emplace_back(")");
+    }
   };
   const auto is_sum = [](const Part& part) {
     return part.kind == Kind::unite || part.kind == Kind::subtract;
@@ -138,26 +147,39 @@ std::string Expression::text() const {
   std::vector<Part> stack;
   for (const Step& step : steps_) {
     if (step.kind == Kind::operand) {
-      stack.push_back({quoted(names_[step.operand]), step.kind});
+      stack.push_back({{quoted(names_[step.operand])}, step.kind});
       continue;
     }
-    const Part right = std::move(stack.back());
+    Part right = std::move(stack.back());
     stack.pop_back();
     Part& left = stack.back();
     const bool is_product = step.kind == Kind::intersect;
-    const char sign = is_product ? '&' : step.kind == Kind::unite ? '+' : '-';
-    left = {enclosed(left, is_product && is_sum(left)) + ' ' + sign + ' ' +
-                enclosed(right, is_sum(right) || (is_product && right.kind == Kind::intersect)),
-            step.kind};
+    enclose(left, is_product && is_sum(left));
+    enclose(right, is_sum(right) || (is_product && right.kind == Kind::intersect));
+    left.words.emplace_back(is_product ? " & " : step.kind == Kind::unite ? " + " : " - ");
+    left.words.splice(left.words.end(), right.words);
+    left.kind = step.kind;
   }
-  return stack.empty() ? std::string() : stack.back().text;
+  std::string text;
+  for (const Part& part : stack) {
+    for (const std::string& word : part.words) {
+      text += word;
+    }
+  }
+  return text;
 }
 
 bool Expression::contains(const std::vector<bool>& inside) const {
+  if (inside.size() != names_.size()) {
+    throw Error(Errc::invalid_argument, "an expression of " + std::to_string(names_.size()) +
+                                            " operands is asked about a place in " +
+                                            std::to_string(inside.size()) +
+                                            " of them; say of each whether it is inside");
+  }
   std::vector<bool> stack;
   for (const Step& step : steps_) {
     if (step.kind == Kind::operand) {
-      stack.push_back(inside.at(step.operand));
+      stack.push_back(inside[step.operand]);
       continue;
     }
     const bool right = stack.back();

@@ -1,8 +1,12 @@
 #include "dupin/kernel/boolean_expression.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -127,6 +131,33 @@ TEST(Expression, refuses_operands_it_does_not_know) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
     EXPECT_EQ(error.part(), "nothing");
+  }
+}
+
+TEST(Expression, is_asked_about_all_operands) {
+  const Expression expression = Expression::parse("a + b");
+  for (const std::vector<bool>& inside : {std::vector<bool>{}, {true}, {true, false, true}}) {
+    EXPECT_NE(test::message_of([&] { (void)expression.contains(inside); }, Errc::invalid_argument),
+              "no error");
+  }
+  EXPECT_TRUE(expression.contains({false, true}));
+}
+
+TEST(Expression, of_many_operands_takes_time_in_proportion) {
+  constexpr int kOperands = 200000;
+  std::string text = "n0";
+  for (int i = 1; i < kOperands; ++i) {
+    text += " - n" + std::to_string(i);
+  }
+  const Expression expression = Expression::parse(text);  // minutes, where each is compared to all
+  EXPECT_EQ(expression.names().size(), kOperands);
+  EXPECT_EQ(expression.text(), text);
+}
+
+TEST(Expression, has_no_more_parentheses_than_needed_where_they_are_nested) {
+  for (const std::string text :
+       {"a & (b + c)", "(a - b) & c & (d & e)", "a - (b - (c + d))", "a + b & c - d"}) {
+    EXPECT_EQ(Expression::parse(text).text(), text);
   }
 }
 

@@ -34,7 +34,7 @@ class Expression {
   /// Text that parses to an equal expression, with no more parentheses than needed.
   [[nodiscard]] std::string text() const;
   /// Whether a place is in the set that is inside the operands for which `inside` says so (one
-  /// entry per name).
+  /// entry per name). Throws Error{invalid_argument} for another number of entries.
   [[nodiscard]] bool contains(const std::vector<bool>& inside) const;
 
   friend bool operator==(const Expression&, const Expression&) = default;
