@@ -1,9 +1,13 @@
 #include "dupin/kernel/solid.h"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
 #include "support/shapes.h"
 
@@ -106,6 +110,22 @@ TEST(Solid, contacts_name_the_parts_that_touch) {
   EXPECT_EQ(contact.from, Vec3(1, 1, 0));
   EXPECT_EQ(contact.to, Vec3(1, 1, 1));
   EXPECT_EQ(contact.names, (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(Solid, that_was_moved_from_is_as_it_was) {
+  Solid first = Solid::from(unit_box(0));
+  Solid second = std::move(first);
+  EXPECT_EQ(first.volume(), 1);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(second.volume(), 1);
+  Solid third;
+  third = std::move(second);
+  EXPECT_EQ(second.triangle_count(), 12U);  // NOLINT(bugprone-use-after-move)
+  std::vector<Solid> many;
+  many.push_back(std::move(third));
+  EXPECT_EQ(unite(std::vector{many.front(), third}).volume(),
+            1);  // NOLINT(bugprone-use-after-move)
+  static_assert(std::is_nothrow_move_constructible_v<Solid>);
+  static_assert(std::is_nothrow_move_assignable_v<Solid>);
 }
 
 }  // namespace

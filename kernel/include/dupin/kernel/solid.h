@@ -21,11 +21,15 @@ struct ExactMesh;
 
 /// A bounded regularised point set with a triangulated boundary: closed, 2-manifold, oriented
 /// outward, free of self-intersection (contacts apart), with exact coordinates. Nothing but
-/// functions that establish this can make one. Immutable; O(1) to copy.
+/// functions that establish this can make one. Immutable; O(1) to copy, which a move is, too.
 class Solid {
  public:
   /// The empty set.
   Solid();
+  // No moves: they would leave a solid without a mesh behind.
+  Solid(const Solid&) = default;
+  Solid& operator=(const Solid&) = default;
+  ~Solid() = default;
 
   /// Establishes the invariant or throws Error{not_closed | not_manifold | not_oriented |
   /// self_intersecting | invalid_argument} naming the faces. O(n log n) for meshes whose triangles
