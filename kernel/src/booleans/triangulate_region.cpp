@@ -21,6 +21,16 @@ using Polygon = std::vector<std::uint32_t>;
   throw Error(Errc::self_intersecting, "the polygons that bound a region cross or touch");
 }
 
+void require_points(std::span<const std::uint32_t> corners, std::size_t points) {
+  for (const std::uint32_t corner : corners) {
+    if (corner >= points) {
+      throw Error(Errc::invalid_argument, "a region has the corner " + std::to_string(corner) +
+                                              ", but there are " + std::to_string(points) +
+                                              " points");
+    }
+  }
+}
+
 class Region {
  public:
   Region(std::span<const Vec2> points, std::span<const Polygon> polygons,
@@ -182,6 +192,13 @@ class Region {
 std::vector<Triangle> triangulate_region(std::span<const Vec2> points,
                                          std::span<const std::vector<std::uint32_t>> polygons,
                                          std::span<const std::uint32_t> inner) {
+  require_points(inner, points.size());
+  for (const Polygon& polygon : polygons) {
+    require_points(polygon, points.size());
+  }
+  if (polygons.empty()) {
+    return {};
+  }
   return Region(points, polygons, inner).triangles();
 }
 

@@ -206,6 +206,7 @@ void Placement::scale(double factor) {
 }
 
 Placement::Point Placement::place(const Vec3& point) const {
+  require_finite(point);
   Point result = multiplied(turn_, rational(point));
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = result[i] * size_ + shift_[i];
@@ -214,7 +215,15 @@ Placement::Point Placement::place(const Vec3& point) const {
 }
 
 Placement::Point Placement::turn(const Vec3& direction) const {
+  require_finite(direction);
   return multiplied(turn_, rational(direction));
+}
+
+mpq_class Placement::scaled(double length) const {
+  if (!std::isfinite(length)) {
+    refuse("a placement needs finite numbers");
+  }
+  return size_ * length;
 }
 
 std::array<Placement::Point, 3> Placement::linear() const {

@@ -336,12 +336,22 @@ class Joiner {
 
 }  // namespace
 
+void require_numbers(std::span<const Eigen::AlignedBox3d> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].min().hasNaN() || boxes[i].max().hasNaN()) {
+      throw Error(Errc::invalid_argument,
+                  "box " + std::to_string(i) + " has a bound that is not a number");
+    }
+  }
+}
+
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes) {
   return districts_of(boxes, {});
 }
 
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes,
                                         std::span<const std::array<std::uint32_t, 2>> apart) {
+  require_numbers(boxes);
   const Tree tree = tree_of(boxes);
   std::vector<std::uint32_t> district(boxes.size(), support::kNone), open;
   std::uint32_t count = 0;

@@ -1,6 +1,11 @@
 #include "dupin/kernel/enclosure.h"
 
+#include <cmath>
+#include <limits>
+
 #include <mpfr.h>
+
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
@@ -36,6 +41,23 @@ class Directed {
   mpfr_rnd_t rounding_;
 };
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Bounds that all numbers keep, or none.
+void require_bounds(const Enclosure& e) {
+  if (std::isnan(e.lower) || std::isnan(e.upper) || e.lower == kInfinity || e.upper == -kInfinity) {
+    throw Error(Errc::invalid_argument,
+                "an enclosure's bounds must be numbers, or infinite away from each other");
+  }
+}
+
+double sum(double a, double b, mpfr_rnd_t rounding) {
+  if (std::isinf(a) || std::isinf(b)) {
+    return std::isinf(a) ? a : b;
+  }
+  return Directed(mpq_class(a) + mpq_class(b), rounding).value();
+}
+
 }  // namespace
 
 Enclosure enclosure_of(const mpq_class& value) {
@@ -58,8 +80,9 @@ Enclosure angle_of(const mpq_class& sine_squared, const mpq_class& cosine) {
 }
 
 Enclosure operator+(const Enclosure& a, const Enclosure& b) {
-  return {Directed(mpq_class(a.lower) + mpq_class(b.lower), MPFR_RNDD).value(),
-          Directed(mpq_class(a.upper) + mpq_class(b.upper), MPFR_RNDU).value()};
+  require_bounds(a);
+  require_bounds(b);
+  return {sum(a.lower, b.lower, MPFR_RNDD), sum(a.upper, b.upper, MPFR_RNDU)};
 }
 
 }  // namespace dupin

@@ -1,6 +1,9 @@
 #include "dupin/kernel/patch.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
@@ -13,9 +16,33 @@ struct Sums {
   std::size_t triangles = 0;
 };
 
+[[noreturn]] void refuse(const std::string& message) {
+  throw Error(Errc::invalid_argument, message);
+}
+
+void require_patches(const TriMesh& mesh) {
+  const bool is_labelled = !mesh.labels.empty();
+  if (is_labelled && mesh.labels.size() != mesh.triangles.size()) {
+    refuse("there are " + std::to_string(mesh.labels.size()) + " labels for " +
+           std::to_string(mesh.triangles.size()) + " triangles; give one for each, or none");
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t corner = std::ranges::max(mesh.triangles[i]);
+    if (corner >= mesh.points.size()) {
+      refuse("face " + std::to_string(i) + " has the corner " + std::to_string(corner) +
+             ", but there are " + std::to_string(mesh.points.size()) + " points");
+    }
+    if (is_labelled && mesh.labels[i] >= mesh.names.size()) {
+      refuse("face " + std::to_string(i) + " has the label " + std::to_string(mesh.labels[i]) +
+             ", but there are " + std::to_string(mesh.names.size()) + " names");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Patch> patches_of(const TriMesh& mesh) {
+  require_patches(mesh);
   const bool is_labelled = !mesh.labels.empty();
   std::vector<Sums> sums(is_labelled ? mesh.names.size() : 1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

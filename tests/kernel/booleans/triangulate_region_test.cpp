@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -158,6 +159,30 @@ TEST(TriangulateRegion, refuses_polygons_that_cross_or_touch) {
   EXPECT_EQ(refusal(with({{0, 0}, {1, 1}})), Errc::invalid_argument);
   EXPECT_EQ(refusal(with({{0, 0}, {1, 1}, {std::numeric_limits<double>::quiet_NaN(), 0}})),
             Errc::invalid_argument);
+}
+
+TEST(TriangulateRegion, of_no_polygons_is_empty) {
+  EXPECT_TRUE(triangulate_region({}, {}).empty());
+  const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}};
+  EXPECT_TRUE(triangulate_region(points, {}).empty());
+  EXPECT_TRUE(triangulate_region(points, {}, std::vector<std::uint32_t>{1}).empty());
+}
+
+TEST(TriangulateRegion, refuses_corners_that_are_no_points) {
+  const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}};
+  using Polygons = std::vector<std::vector<std::uint32_t>>;
+  EXPECT_EQ(test::message_of(
+                [&] {
+                  (void)triangulate_region(points, Polygons{{0, 1, 3}});
+                },
+                Errc::invalid_argument),
+            "a region has the corner 3, but there are 3 points");
+  const std::vector<std::uint32_t> inner{7};
+  for (const Polygons& polygons : {Polygons{{0, 1, 2}}, Polygons{}}) {
+    EXPECT_EQ(test::message_of([&] { (void)triangulate_region(points, polygons, inner); },
+                               Errc::invalid_argument),
+              "a region has the corner 7, but there are 3 points");
+  }
 }
 
 }  // namespace

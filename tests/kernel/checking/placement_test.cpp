@@ -1,6 +1,7 @@
 #include "dupin/kernel/placement.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -177,6 +179,24 @@ TEST(Placement, refuses_what_is_none_and_what_leaves_the_range) {
               }),
               Errc::invalid_argument)
         << factor;
+  }
+}
+
+TEST(Placement, puts_nothing_that_is_not_finite) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    const Placement placement;
+    for (const auto& put :
+         std::vector<std::function<void()>>{[&] {
+                                              (void)placement.place({1, bad, 0});
+                                            },
+                                            [&] {
+                                              (void)placement.turn({0, 0, bad});
+                                            },
+                                            [&] { (void)placement.scaled(bad); }}) {
+      EXPECT_EQ(test::message_of(put, Errc::invalid_argument), "a placement needs finite numbers");
+    }
   }
 }
 

@@ -300,5 +300,24 @@ TEST(Districts, rounding_reaches_as_far_as_in_the_whole) {
   EXPECT_EQ(to_mesh(thin, Coordinates::binary32, options).report().repair_reach, 8 * own);
 }
 
+TEST(Districts, of_bounds_that_are_not_numbers_are_refused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int bound = 0; bound < 6; ++bound) {
+    std::vector<Box> boxes(3, cube(0, 0, 0, 1));
+    (bound < 3 ? boxes[2].min() : boxes[2].max())[bound % 3] = nan;
+    const std::string message = "box 2 has a bound that is not a number";
+    EXPECT_EQ(message_of([&] { (void)districts_of(boxes); }, Errc::invalid_argument), message);
+    EXPECT_EQ(message_of([&] { for_each_touching(boxes, [](std::uint32_t, std::uint32_t) {}); },
+                         Errc::invalid_argument),
+              message);
+    EXPECT_EQ(message_of(
+                  [&] {
+                    (void)FreePlaces(boxes, {{}, {}, {}});
+                  },
+                  Errc::invalid_argument),
+              message);
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test

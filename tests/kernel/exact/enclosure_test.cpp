@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/message_of.h"
+
 namespace dupin {
 namespace {
 
@@ -81,6 +83,36 @@ TEST(Enclosure, of_a_sum_rounds_outward) {
     ASSERT_GE(mpq_class(sum.upper), upper);
     ASSERT_LT(mpq_class(std::nextafter(sum.upper, -kInfinity)), upper);
     ASSERT_EQ(-(-sum), sum);
+  }
+}
+
+TEST(Enclosure, of_a_sum_without_bounds_has_none) {
+  EXPECT_EQ((Enclosure{0, kInfinity} + Enclosure{0, 1}), (Enclosure{0, kInfinity}));
+  EXPECT_EQ((Enclosure{-kInfinity, 2} + Enclosure{-kInfinity, kInfinity}),
+            (Enclosure{-kInfinity, kInfinity}));
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Enclosure twice = Enclosure{kLargest, kLargest} + Enclosure{kLargest, kLargest};
+  EXPECT_EQ(twice, (Enclosure{kLargest, kInfinity}));
+  EXPECT_EQ((twice + Enclosure{1, 1}), twice);
+}
+
+TEST(Enclosure, of_a_sum_of_what_encloses_nothing_is_refused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Enclosure& bad :
+       {Enclosure{nan, 1}, Enclosure{0, nan}, Enclosure{kInfinity, kInfinity},
+        Enclosure{-kInfinity, -kInfinity}}) {
+    EXPECT_NE(test::message_of(
+                  [&] {
+                    (void)(bad + Enclosure{0, 1});
+                  },
+                  Errc::invalid_argument),
+              "no error");
+    EXPECT_NE(test::message_of(
+                  [&] {
+                    (void)(Enclosure{0, 1} + bad);
+                  },
+                  Errc::invalid_argument),
+              "no error");
   }
 }
 

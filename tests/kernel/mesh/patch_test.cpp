@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/solid.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -44,6 +45,28 @@ TEST(Patches, have_the_area_of_the_solid_together) {
   const auto patches = patches_of(mesh);
   ASSERT_EQ(patches.size(), 2);
   EXPECT_NEAR(patches[0].area + patches[1].area, Solid::from(mesh).area(), 1e-12 * patches[1].area);
+}
+
+TEST(Patches, of_labels_without_a_name_or_a_triangle_are_refused) {
+  const auto refusal = [](const TriMesh& mesh) {
+    return test::message_of([&] { (void)patches_of(mesh); }, Errc::invalid_argument);
+  };
+  const TriMesh box = test::labelled(test::box(Vec3::Zero(), Vec3::Ones()), "box");
+  TriMesh bad = box;
+  bad.labels[3] = 1;
+  EXPECT_EQ(refusal(bad), "face 3 has the label 1, but there are 1 names");
+  bad = box;
+  bad.names.clear();
+  EXPECT_EQ(refusal(bad), "face 0 has the label 0, but there are 0 names");
+  for (const std::size_t count : {1, 13}) {
+    bad = box;
+    bad.labels.resize(count, 0);
+    EXPECT_EQ(refusal(bad), "there are " + std::to_string(count) +
+                                " labels for 12 triangles; give one for each, or none");
+  }
+  bad = box;
+  bad.triangles[5][1] = 8;
+  EXPECT_EQ(refusal(bad), "face 5 has the corner 8, but there are 8 points");
 }
 
 }  // namespace

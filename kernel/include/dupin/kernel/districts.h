@@ -25,7 +25,7 @@ namespace dupin {
 
 /// For each box the number of its district: boxes that touch are in one. Districts are numbered in
 /// the order of their first boxes. Empty boxes touch nothing, infinite ones all. O(n log n) and the
-/// pairs that touch.
+/// pairs that touch. Throws Error{invalid_argument} for bounds that are not numbers.
 [[nodiscard]] std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes);
 
 /// The same, where boxes of these pairs, by their places, lowest first, and pairs ascending, have
@@ -35,9 +35,10 @@ namespace dupin {
     std::span<const std::array<std::uint32_t, 2>> apart);
 
 /// Calls visit(i, j) for all pairs of boxes that touch. O(n log n) and the pairs whose ranges of x
-/// do.
+/// do. Throws as `require_numbers`.
 template <class Visit>
 void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& visit) {
+  require_numbers(boxes);
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
   std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes[i].min().x(); });
@@ -113,7 +114,6 @@ class FreePlaces {
   };
 
   [[nodiscard]] static std::vector<double> cuts_of(const Item& item, double distance);
-
   std::vector<Item> items_;
   Eigen::AlignedBox3d box_;  // about all of them
 };

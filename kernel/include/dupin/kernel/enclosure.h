@@ -24,7 +24,9 @@ struct Enclosure {
 /// 0 to `cosine`, not both zero. Exactly 0 for sine 0 and positive cosine.
 [[nodiscard]] Enclosure angle_of(const mpq_class& sine_squared, const mpq_class& cosine);
 
-/// Encloses a sum, rounding outward.
+/// Encloses a sum, rounding outward. Bounds may be infinite. Throws Error{invalid_argument} where
+/// one is no number, or lower or upper ones are infinite the other way, so that nothing is
+/// enclosed.
 [[nodiscard]] Enclosure operator+(const Enclosure& a, const Enclosure& b);
 
 }  // namespace dupin

@@ -19,7 +19,9 @@ struct Patch {
   Vec3 vector_area = Vec3::Zero();
 };
 
-/// One for each label that triangles carry, in the order of the mesh's names. O(n).
+/// One for each label that triangles carry, in the order of the mesh's names. O(n). Throws
+/// Error{invalid_argument} for corners of no point, and for labels that are not one for each
+/// triangle or have no name.
 [[nodiscard]] std::vector<Patch> patches_of(const TriMesh& mesh);
 
 }  // namespace dupin

@@ -25,15 +25,15 @@ class Placement {
   /// Of the sine and cosine of half the angle, and of the axis, in doubles.
   static constexpr double kTurnError = 0x1p-48;
 
-  /// Throw Error{invalid_argument} for numbers that are not finite, no axis, and a factor that is
-  /// not positive.
+  /// All throw Error{invalid_argument} for numbers that are not finite, no axis, and a factor that
+  /// is not positive.
   void translate(const Vec3& by);
   void rotate(const Vec3& axis, double degrees, const Vec3& about = Vec3::Zero());
   void scale(double factor);
 
   [[nodiscard]] Point place(const Vec3& point) const;
   [[nodiscard]] Point turn(const Vec3& direction) const;
-  [[nodiscard]] mpq_class scaled(double length) const { return size_ * length; }
+  [[nodiscard]] mpq_class scaled(double length) const;
 
   /// The matrix size * turn, row by row.
   [[nodiscard]] std::array<Point, 3> linear() const;

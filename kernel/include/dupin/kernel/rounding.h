@@ -90,6 +90,8 @@ class ContactParting;
 class Rounded;
 /// Boxes along the axes, closed.
 using Boxes = std::vector<Eigen::AlignedBox3d>;
+/// Throws Error{invalid_argument} for bounds that are not numbers.
+void require_numbers(std::span<const Eigen::AlignedBox3d> boxes);
 /// See dupin/kernel/districts.h.
 [[nodiscard]] Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes);
 

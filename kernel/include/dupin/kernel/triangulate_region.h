@@ -15,11 +15,11 @@ namespace dupin {
 /// Its constrained triangulation, counter-clockwise, by exact predicates, flipped towards Delaunay
 /// as far as doubles can tell: corners are those of the polygons and the `inner` points within the
 /// region, and no others; every side of a polygon is a side of a triangle. The same input gives the
-/// same triangles. O(n log n) expected.
+/// same triangles, none for no polygons. O(n log n) expected.
 ///
 /// Throws Error{self_intersecting} where they cross, or touch in other places than common corners,
-/// or an inner point lies on them, and Error{invalid_argument} for fewer than three corners and for
-/// numbers that are not finite.
+/// or an inner point lies on them, and Error{invalid_argument} for fewer than three corners, for
+/// numbers that are not finite and for indices of no point.
 [[nodiscard]] std::vector<Triangle> triangulate_region(
     std::span<const Vec2> points, std::span<const std::vector<std::uint32_t>> polygons,
     std::span<const std::uint32_t> inner = {});
