@@ -93,14 +93,13 @@ constexpr std::size_t kBoxesOfLoop = 1 << 11;
 
 // A tight bound may have part of the work, for there are claims to come; one that is not as tight
 // takes little.
-const certification::MeshRooms kFirstRooms{
-    {{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
-const certification::MeshRooms kLastRooms{
-    {{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
+certification::MeshRooms first_rooms() {
+  return {{{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
+}
 
 // Of an error of this share of the tolerance: within that, if the tightest of them is not.
 certification::MeshRooms last_rooms(double share) {
-  certification::MeshRooms rooms = kLastRooms;
+  certification::MeshRooms rooms{{{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
   const double within = (1 / share - 1) * (1 - 0x1p-20);
   if (within > 0 && within < rooms.all.front().share) {
     rooms.all.insert(rooms.all.begin(), {within, 2});
@@ -283,7 +282,7 @@ class Certifier {
     if (!claim) {
       return;
     }
-    result_.claims[part].mesh = certification::agreed(*claim, solids_[part], kFirstRooms, work);
+    result_.claims[part].mesh = certification::agreed(*claim, solids_[part], first_rooms(), work);
     if (!result_.claims[part].mesh && work.lacks_work()) {
       waiting_meshes_[part] = std::move(claim);
     }

@@ -8,7 +8,7 @@
 namespace dupin::cyclide {
 namespace {
 
-const numbers::Interval kOne(1), kTwo(2);
+constexpr double kOne = 1, kTwo = 2;
 
 numbers::IntervalVec difference(const Vec3& a, const Vec3& b) {
   return numbers::interval_vec(a) - numbers::interval_vec(b);

@@ -252,7 +252,7 @@ HomogeneousPoint contact(const HomogeneousSphere& g, const cyclide::Complementar
 // cos of half the arc that a rational quadratic with these weights spans.
 double half_arc_cosine(double w0, double w1, double w2) { return w1 / std::sqrt(w0 * w2); }
 
-const double kQuarterTurn = std::numbers::sqrt2 / 2;  // cos 45 deg: arcs of at most 90 degrees
+constexpr double kQuarterTurn = std::numbers::sqrt2 / 2;  // cos 45 deg: arcs of at most 90 degrees
 
 bool short_enough(const PeArc& arc) {
   if (arc.w() < kQuarterTurn) {

@@ -13,7 +13,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kGridSize = 25;
 // Box and length keep the search from loops, which would reach any margin.
 constexpr double kShortest = 0.05, kLongest = 5, kLongestSpine = 3;  // in units of the scale
-const double kSpacing = std::log(kLongest / kShortest) / (kGridSize - 1);
+
+// No constant: not every compiler takes logarithms in advance.
+double spacing() { return std::log(kLongest / kShortest) / (kGridSize - 1); }
 
 double local_margin(const RingedSurface& surface, double t) {
   return 1 - curvature(evaluate(surface.spine, t)) * evaluate(surface.radius, t).value;
@@ -29,7 +31,7 @@ std::vector<double> grid_axis(const std::optional<double>& given) {
   }
   std::vector<double> axis(kGridSize);
   for (int i = 0; i < kGridSize; ++i) {
-    axis[i] = std::log(kShortest) + i * kSpacing;
+    axis[i] = std::log(kShortest) + i * spacing();
   }
   return axis;
 }
@@ -108,7 +110,7 @@ BlendSearch::Speeds BlendSearch::refined(const Speeds& start, const CostFunction
         [&](double s) {
           return cost({at.k + (k_ ? 0 : s), at.l + (l_ ? 0 : s)}, wanted);
         },
-        -1.5 * kSpacing, 1.5 * kSpacing, kInner);
+        -1.5 * spacing(), 1.5 * spacing(), kInner);
   };
   Speeds at = start;
   if (!k_ && !l_) {
@@ -116,7 +118,7 @@ BlendSearch::Speeds BlendSearch::refined(const Speeds& start, const CostFunction
         [&](double s) {
           return inner({start.k + s, start.l - s}).value;
         },
-        -1.5 * kSpacing, 1.5 * kSpacing, kOuter);
+        -1.5 * spacing(), 1.5 * spacing(), kOuter);
     at = {start.k + outer.at, start.l - outer.at};
   }
   const double s = inner(at).at;

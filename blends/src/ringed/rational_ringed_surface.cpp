@@ -23,7 +23,7 @@ using numbers::conjugate;
 using numbers::product;
 using Quaternion = numbers::Quaternion<double>;
 
-const std::array<Quaternion, 3> kUnits{{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+constexpr std::array<Quaternion, 3> kUnits{{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 Vec3 vector_part(const Quaternion& q) { return {q[1], q[2], q[3]}; }
 

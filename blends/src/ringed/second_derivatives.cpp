@@ -17,7 +17,8 @@ namespace dupin {
 namespace ringed {
 namespace {
 
-const numbers::Interval kPi(std::numbers::pi, std::nextafter(std::numbers::pi, 4.0));
+// No constant: it might be needed before it is made, where a program's static objects use us.
+numbers::Interval pi() { return {std::numbers::pi, std::nextafter(std::numbers::pi, 4.0)}; }
 
 SpineBounds bounds(const LineSpine& line, const numbers::Interval&) {
   return {numbers::norm(numbers::interval_vec(line.to) - numbers::interval_vec(line.from)), 0, 0,
@@ -151,9 +152,9 @@ RadiusBounds bounds(const CyclideRadius& law, const numbers::Interval& t) {
   const numbers::Interval value = numbers::hull(radius(t.lower), radius(t.upper));  // monotone
   const numbers::Interval c = change * cosine_of_pi(t), s = change * sine_of_pi(t);
   const numbers::Interval w = numbers::sqrt(square(c) + numbers::Interval(4) * product);
-  const numbers::Interval first = kPi * s * value / w;
-  const numbers::Interval second =
-      kPi * (kPi * c * value / w + s * first / w + kPi * c * square(s) * value / (w * square(w)));
+  const numbers::Interval first = pi() * s * value / w;
+  const numbers::Interval second = pi() * (pi() * c * value / w + s * first / w +
+                                           pi() * c * square(s) * value / (w * square(w)));
   return {value.upper, first.magnitude(), second.magnitude()};
 }
 

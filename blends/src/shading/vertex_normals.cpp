@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kChunk = 4096;
 // Normals of neighbouring patches that differ by less are one.
-const double kTangentCosine = std::cos(std::numbers::pi / 180);
+constexpr double kTangentCosine = 0.9998476951563913;  // of a degree
 // As far apart, binary32 hardly tells directions apart.
 constexpr double kSameDirection = 0x1p-22;
 

@@ -59,7 +59,7 @@ JetVec<3> moved(JetVec<3> v, const IntervalVec& by) {
   return v;
 }
 
-const Jet<3> kOne{{1, 0, 0}};
+Jet<3> one() { return {{1, 0, 0}}; }
 
 constexpr std::uint64_t kDiscWork = 16;  // of the products and roots of jets
 
@@ -72,7 +72,7 @@ std::optional<MovingDisc> across(const JetVec<4>& spine, const IntervalVec& base
     return std::nullopt;
   }
   const JetVec<3> center = shortened<3>(spine);
-  return MovingDisc{moved(center, base), velocity / sqrt(squared), radius, kOne};
+  return MovingDisc{moved(center, base), velocity / sqrt(squared), radius, one()};
 }
 
 // R^2 + c R = r0 r1 with c = (r1 - r0) cos(pi t).
@@ -473,7 +473,7 @@ Motion motion(const RationalRingedSurface& surface) {
       return std::nullopt;
     }
     return MovingDisc{moved(center.over(from, to), base), n / sqrt(squared), radius.over(from, to),
-                      kOne, spin(scalar.over(from, to), vector.over(from, to))};
+                      one(), spin(scalar.over(from, to), vector.over(from, to))};
   };
 }
 
@@ -499,7 +499,7 @@ Motion steered_motion(const RationalRingedSurface& surface) {
     if (!(squared[0].lower > 0)) {
       return std::nullopt;
     }
-    return MovingDisc{d, n / sqrt(squared), radius.over(from, to), kOne};
+    return MovingDisc{d, n / sqrt(squared), radius.over(from, to), one()};
   };
 }
 

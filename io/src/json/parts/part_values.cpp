@@ -50,7 +50,7 @@ std::optional<std::uint32_t> whole_number(const JsonNode& node) {
 
 namespace {
 
-const std::string kSemiAxes = "along the axis, across it";
+constexpr const char* kSemiAxes = "along the axis, across it";
 
 bool begins_at_port(const JsonNode& node) { return node.at("from").value().is_string(); }
 
