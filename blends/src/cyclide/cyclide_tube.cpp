@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cyclide/arc_bounds.h"
+#include "cyclide/require_pieces.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -62,6 +63,7 @@ Ring inside(const Ring& ring, double wall) {
 }  // namespace
 
 Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end) {
+  cyclide::require_pieces(chain);
   std::vector<CyclidePiece> pieces;
   for (const PeArc& arc : chain.pieces) {
     pieces.push_back(cyclide_piece(arc));
@@ -75,12 +77,14 @@ Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end
 }
 
 Chain cyclide_tube(const CyclideChain& chain, double wall) {
+  cyclide::require_pieces(chain);
   return hollow(cyclide_tube(chain, flipped(circle_at(chain.pieces.front(), 0)),
                              circle_at(chain.pieces.back(), 1)),
                 wall);
 }
 
 Chain hollow(Chain chain, double wall) {
+  cyclide::require_pieces(chain);
   if (!(wall >= 0)) {
     throw Error(Errc::invalid_argument, "the wall's thickness must not be negative");
   }
@@ -102,6 +106,7 @@ Chain hollow(Chain chain, double wall) {
 }
 
 Chain inner_skin(const Chain& chain) {
+  cyclide::require_pieces(chain);
   const CyclideChain outer{cyclide_pieces(chain)};
   if (outer.pieces.size() != chain.pieces.size()) {
     throw Error(Errc::invalid_argument, "only chains of cyclides can have a wall");
@@ -159,6 +164,7 @@ double tangency_bound(const CyclidePiece& piece, End end) {
 }
 
 double area(const Chain& chain) {
+  cyclide::require_pieces(chain);
   double sum = chain.wall > 0 ? area(inner_skin(chain)) : 0;
   for (const PeArc& piece : cyclide_pieces(chain)) {
     sum += area(piece);
@@ -167,6 +173,7 @@ double area(const Chain& chain) {
 }
 
 double volume(const Chain& chain) {
+  cyclide::require_pieces(chain);
   double sum = 0;
   for (const PeArc& piece : cyclide_pieces(chain)) {
     sum += volume(piece);
@@ -182,6 +189,7 @@ double volume(const Chain& chain) {
 }
 
 std::string_view kind(const Chain& chain) {
+  cyclide::require_pieces(chain);
   constexpr std::array<std::string_view, 3> kNames{"single", "double", "triple"};
   const std::size_t pieces = chain.pieces.size();
   return pieces <= kNames.size() ? kNames.at(pieces - 1) : "chain";

@@ -1,11 +1,13 @@
 #include "dupin/blends/part_surface.h"
 
+#include "cyclide/require_pieces.h"
 #include "dupin/blends/pe_arc.h"
 
 namespace dupin {
 namespace {
 
 const Piece& end_piece(const Chain& chain, End end) {
+  cyclide::require_pieces(chain);
   return end == End::start ? chain.pieces.front() : chain.pieces.back();
 }
 

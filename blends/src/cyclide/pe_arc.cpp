@@ -79,6 +79,14 @@ ArcFault exact_fault(const PeVector& start, const PeVector& tangent, const PeVec
   return power > 0 && power * power > across ? ArcFault::none : ArcFault::pinched;
 }
 
+void require_finite(const PeVector& start, const PeVector& tangent, const PeVector& end) {
+  for (const PeVector* given : {&start, &tangent, &end}) {
+    if (!given->m.allFinite() || !std::isfinite(given->r)) {
+      throw Error(Errc::invalid_argument, "spheres and tangent must be finite numbers");
+    }
+  }
+}
+
 // The fault is decided exactly; the rounded number may lie on the other side, and is not said then.
 std::string fails(const std::string& what, double value, double bound) {
   const std::string must = bound == 0 ? " must be positive" : " must exceed -1";
@@ -164,6 +172,7 @@ ArcValidity rounded_validity(const PeVector& start, const PeVector& tangent, con
 }
 
 ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVector& end) {
+  require_finite(start, tangent, end);
   ArcValidity v = rounded_validity(start, tangent, end);
   const auto certain = certain_fault(start, tangent, end);
   v.fault = certain ? *certain : exact_fault(start, tangent, end);
@@ -171,10 +180,7 @@ ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVec
 }
 
 PeArc PeArc::from(const PeVector& start, const PeVector& tangent, const PeVector& end) {
-  if (!start.m.allFinite() || !end.m.allFinite() || !tangent.m.allFinite() ||
-      !std::isfinite(start.r) || !std::isfinite(end.r) || !std::isfinite(tangent.r)) {
-    throw Error(Errc::invalid_argument, "spheres and tangent must be finite numbers");
-  }
+  require_finite(start, tangent, end);
   if (start.r <= 0 || end.r <= 0) {
     throw Error(Errc::invalid_argument, "the radii of a chain's spheres must be positive");
   }

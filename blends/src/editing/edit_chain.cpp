@@ -39,7 +39,7 @@ class Editor {
   Editor(const Assembly& assembly, std::uint32_t part)
       : assembly_(assembly),
         part_(part),
-        edited_(std::get<CyclideChainThrough>(assembly.parts.at(part).shape)),
+        edited_(chain_of(assembly, part)),
         own_(std::holds_alternative<PortReference>(edited_.from) ? 1 : 0) {
     const ResolvedAssembly resolved = resolve(assembly);
     const auto found = std::find_if(resolved.parts.begin(), resolved.parts.end(),
@@ -86,6 +86,9 @@ class Editor {
     if (edited_.joints == ChainJoints::kneecaps) {
       fail("a chain with kneecaps has no common tangent cones to turn about");
     }
+    if (!std::isfinite(angle)) {
+      fail("a chain is turned by a finite angle");
+    }
     const std::size_t position = sphere + own_;
     if (position % 2 != 0 || position == 0 || position / 2 >= pieces_.pieces.size()) {
       fail("sphere " + std::to_string(sphere) + " is no junction between two pieces" + junctions());
@@ -106,6 +109,22 @@ class Editor {
   }
 
  private:
+  static const CyclideChainThrough& chain_of(const Assembly& assembly, std::uint32_t part) {
+    if (part >= assembly.parts.size()) {
+      throw Error(Errc::invalid_argument,
+                  "there is no part " + std::to_string(part) + "; the document has " +
+                      std::to_string(assembly.parts.size()),
+                  {}, assembly.source);
+    }
+    const auto* chain = std::get_if<CyclideChainThrough>(&assembly.parts[part].shape);
+    if (chain == nullptr) {
+      throw Error(
+          Errc::invalid_argument,
+          "the part is no cyclide_chain; other parts have no spheres to move or to turn about",
+          assembly.parts[part].name, document_place(assembly, part));
+    }
+    return *chain;
+  }
   [[noreturn]] void fail(const std::string& message) const {
     throw Error(Errc::invalid_argument, message, assembly_.parts[part_].name,
                 document_place(assembly_, part_, "spheres"));

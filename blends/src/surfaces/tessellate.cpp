@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "cyclide/require_pieces.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
@@ -273,6 +274,7 @@ std::uint32_t segments_for(const Chain& chain, double tolerance, double grid) {
 
 Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                         const TessellationOptions& options) {
+  cyclide::require_pieces(chain);
   const bool overlaps = chain.joints == Joints::spherical;
   if (chain.wall == 0) {
     return overlaps ? overlapping(chain, sampling, options) : skin(chain, sampling, options);

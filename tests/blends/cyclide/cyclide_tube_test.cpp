@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -14,6 +16,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -207,6 +210,17 @@ TEST(CyclideTube, margin_is_the_least_measured_advance) {
     if (arc.w() > -0.5) {  // else differences of this step are too coarse
       EXPECT_NEAR(measured_margin(arc), bounds.lower, 0.02 * std::max(1.0, bounds.lower)) << i;
     }
+  }
+}
+
+TEST(CyclideTube, needs_a_piece) {
+  for (const auto& ask : std::vector<std::function<void()>>{
+           [] { (void)hollow(Chain(), 0.1); }, [] { (void)hollow(Chain(), 0); },
+           [] { (void)inner_skin(Chain()); }, [] { (void)area(Chain()); },
+           [] { (void)volume(Chain()); }, [] { (void)kind(Chain()); },
+           [] { (void)cyclide_tube(CyclideChain()); },
+           [] { (void)cyclide_tube(CyclideChain(), Ring(), Ring()); }}) {
+    EXPECT_EQ(test::message_of(ask, Errc::invalid_argument), "a chain needs at least one piece");
   }
 }
 

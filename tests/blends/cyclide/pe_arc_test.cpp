@@ -1,8 +1,11 @@
 #include "dupin/blends/pe_arc.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,6 +14,7 @@
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -283,6 +287,26 @@ TEST(PeArc, has_its_faults_up_to_the_very_borders) {
   EXPECT_EQ(fault(up, {1, 0, 1}, 1), ArcFault::pinched);
   EXPECT_EQ(fault(up, {1, 0, below(1)}, 1), ArcFault::pinched);
   EXPECT_EQ(fault(up, {1, 0, above(1)}, 1), ArcFault::none);
+}
+
+TEST(PeArc, needs_numbers_that_are_finite) {
+  const PeVector start{Vec3::Zero(), 1}, tangent{Vec3::UnitZ(), 0}, end{{0, 0, 5}, 1};
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    for (int place = 0; place < 12; ++place) {
+      std::array<PeVector, 3> given{start, tangent, end};
+      PeVector& one = given.at(std::size_t(place / 4));
+      (place % 4 == 3 ? one.r : one.m[place % 4]) = bad;
+      const std::string message = "spheres and tangent must be finite numbers";
+      EXPECT_EQ(test::message_of([&] { (void)validity(given[0], given[1], given[2]); },
+                                 Errc::invalid_argument),
+                message);
+      EXPECT_EQ(test::message_of([&] { (void)PeArc::from(given[0], given[1], given[2]); },
+                                 Errc::invalid_argument),
+                message);
+    }
+  }
 }
 
 }  // namespace

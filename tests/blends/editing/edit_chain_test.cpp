@@ -176,5 +176,26 @@ TEST(EditChain, says_why_an_edit_is_refused) {
   EXPECT_EQ(moved(hook(), 4, sphere(0, 4, 0, 4)).substr(0, far.size()), far);
 }
 
+TEST(EditChain, refuses_parts_that_are_no_chain) {
+  const Assembly with_pipe = document({{"pipe", PipeBetween{Vec3::Zero(), Vec3::UnitX(), 1}}});
+  const std::string no_chain =
+      "d.json#/parts/0: 'pipe': the part is no cyclide_chain; other parts have no spheres to move "
+      "or to turn about";
+  EXPECT_EQ(refusal([&] { return move_sphere(with_pipe, 0, 2, sphere(0, 0, 0, 1)); }), no_chain);
+  EXPECT_EQ(refusal([&] { return twist_chain(with_pipe, 0, 2, 1); }), no_chain);
+  const std::string no_part = "d.json: there is no part 7; the document has 1";
+  EXPECT_EQ(refusal([&] { return move_sphere(with_pipe, 7, 2, sphere(0, 0, 0, 1)); }), no_part);
+  EXPECT_EQ(refusal([&] { return twist_chain(with_pipe, 7, 2, 1); }), no_part);
+}
+
+TEST(EditChain, turns_by_finite_angles) {
+  for (const double angle : {std::nan(""), double(INFINITY)}) {
+    EXPECT_NE(refusal([&] {
+                return twist_chain(hook(), 0, 2, angle);
+              }).find("a chain is turned by a finite angle"),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace dupin

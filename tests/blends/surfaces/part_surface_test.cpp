@@ -7,6 +7,7 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -76,6 +77,15 @@ TEST(PieceError, says_which_piece_is_at_fault_as_a_number_and_in_words) {
     EXPECT_EQ(error.piece(), 5U);
     EXPECT_EQ(error.part(), "piece 5");
     EXPECT_EQ(error.code(), Errc::infeasible_blend);
+  }
+}
+
+TEST(PartSurface, of_no_pieces_has_no_ends) {
+  for (const End end : {End::start, End::end}) {
+    EXPECT_EQ(test::message_of([&] { (void)end_ring(Chain(), end); }, Errc::invalid_argument),
+              "a chain needs at least one piece");
+    EXPECT_EQ(test::message_of([&] { (void)leaving(Chain(), end); }, Errc::invalid_argument),
+              "a chain needs at least one piece");
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "dupin/kernel/error.h"
 #include "support/mesh_distance.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -310,6 +311,16 @@ TEST(Disc, of_the_flipped_ring_has_the_same_triangles_the_other_way_round) {
           (here.points[b] - here.points[a]).cross(here.points[c] - here.points[a]).dot(ring.normal),
           0);
     }
+  }
+}
+
+TEST(Tessellate, needs_a_piece) {
+  Chain spherical;
+  spherical.joints = Joints::spherical;
+  for (const Chain& chain : {Chain(), spherical}) {
+    EXPECT_EQ(
+        test::message_of([&] { (void)tessellate(chain, RingSampling()); }, Errc::invalid_argument),
+        "a chain needs at least one piece");
   }
 }
 

@@ -45,7 +45,7 @@ struct BuildOptions {
   Progress progress;                            ///< may be empty
   std::optional<Region> region;  ///< none: metal of an assembly that has walls, else outer
   /// Boxes about parts are wider by so much, and by so much of the largest coordinate, where
-  /// districts are found: these can be rounded each by itself if no point moves further.
+  /// districts are found (none negative): each can be rounded by itself if no point moves further.
   double margin = 0, relative_margin = 0;
   /// What hangs together and is expected to have more triangles than this is divided into pieces of
   /// about so many, where it can be; 0: nothing is. For DistrictBuild, but not for `build`.
@@ -120,7 +120,7 @@ class DistrictBuild {
  public:
   /// Resolves the assembly and finds its districts, at least one, in the order of their first
   /// parts. O(n log n) and the pairs of boxes that touch. Throws what `build` throws before a mesh
-  /// is made.
+  /// is made; the others throw Error{invalid_argument} for a number of no district.
   explicit DistrictBuild(const Assembly& assembly, const BuildOptions& options = {});
   ~DistrictBuild();
   DistrictBuild(DistrictBuild&& other) noexcept;

@@ -24,14 +24,14 @@ namespace dupin {
 /// change and it goes to the nearest place that these allow. Of the last junction one piece
 /// changes, of a bias sphere none. A chain with kneecaps changes in the pieces through the sphere.
 /// Throws Error{infeasible_blend} where the pieces are not regular, Error{invalid_argument} for the
-/// first junction and positions out of range.
+/// first junction, positions out of range and parts that are no cyclide_chain.
 [[nodiscard]] CyclideChainThrough move_sphere(const Assembly& assembly, std::uint32_t part,
                                               std::size_t sphere, const PeVector& to,
                                               bool on_locus = false);
 
 /// The chain with everything after a junction turned by `angle` radians about the axis of the
-/// tangent cone there. Throws Error{invalid_argument} for a sphere that is no inner junction and
-/// for a chain with kneecaps.
+/// tangent cone there. Throws Error{invalid_argument} for a sphere that is no inner junction, an
+/// angle that is not finite, a chain with kneecaps and parts that are no cyclide_chain.
 [[nodiscard]] CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part,
                                               std::size_t sphere, double angle);
 

@@ -32,8 +32,10 @@ enum class Joints {
 /// Pieces one after the other, piece i being that of the parameters [i, i + 1]. Nearly every part
 /// is one: a single piece for a pipe, cone, elbow or blend.
 struct Chain {
-  std::vector<Piece> pieces;  ///< none: a shape of which nothing is known
-  bool closed = false;        ///< it begins again where it ends
+  /// None: a shape of which nothing is known, which what asks for more than pieces refuses by
+  /// Error{invalid_argument}.
+  std::vector<Piece> pieces;
+  bool closed = false;  ///< it begins again where it ends
   /// Thickness of a hollow chain, inwards, whose rims are conical strips along the normals; 0 for a
   /// solid one. Cyclide pieces only.
   double wall = 0;

@@ -60,6 +60,7 @@ struct ArcValidity {
       0;  ///< V4: least power of a point of the start circle with respect to the end sphere, > 0
 };
 
+/// Throws Error{invalid_argument} for numbers that are not finite.
 [[nodiscard]] ArcValidity validity(const PeVector& start, const PeVector& tangent,
                                    const PeVector& end);
 /// The same with the fault decided on the rounded numbers: for searches, without rational

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -35,6 +36,17 @@ Assembly with_options(Assembly assembly, const BuildOptions& options) {
 ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
   tell(progress, "resolve");
   return resolve_unproved(assembly);
+}
+
+void require_margins(const BuildOptions& options) {
+  for (const double margin : {options.margin, options.relative_margin}) {
+    if (!(margin >= 0 && std::isfinite(margin))) {
+      throw Error(
+          Errc::invalid_argument,
+          "boxes about parts are wider by a margin that is finite and not negative, not by " +
+              decimal(margin, kMessageDigits));
+    }
+  }
 }
 
 // How far what is made of a part may lie outside of a box about its surface.
@@ -186,6 +198,7 @@ struct DistrictBuild::Plan {
         options(chosen),
         resolved(dupin::resolved(assembly, chosen.progress)),
         related(assembly) {
+    require_margins(options);
     assembly = with_regions(std::move(assembly), resolved, options.region);
     districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
                                              options.relative_margin);
@@ -197,6 +210,14 @@ struct DistrictBuild::Plan {
 
   /// What the districts have parts of.
   [[nodiscard]] const ResolvedAssembly& of_districts() const { return cut ? *cut : resolved; }
+  [[nodiscard]] const assembly::DistrictParts& district(std::size_t number) const {
+    if (number >= districts.size()) {
+      throw Error(Errc::invalid_argument, "there is no district " + std::to_string(number) +
+                                              "; the last is " +
+                                              std::to_string(districts.size() - 1));
+    }
+    return districts[number];
+  }
 
  private:
   void divide() {
@@ -230,7 +251,7 @@ std::vector<Boxes> DistrictBuild::boxes() const {
 const std::vector<Seam>& DistrictBuild::seams() const { return plan_->seams; }
 
 std::string DistrictBuild::taken_from_whole(std::size_t district) const {
-  const auto& piece = plan_->districts.at(district).piece;
+  const auto& piece = plan_->district(district).piece;
   std::string text;
   if (piece) {
     text = decimal(piece->grid) + " " + decimal(piece->tolerance);
@@ -249,7 +270,7 @@ std::string DistrictBuild::taken_from_whole(std::size_t district) const {
 }
 
 std::vector<std::uint32_t> DistrictBuild::parts(std::size_t district) const {
-  return assembly::document_parts(plan_->of_districts(), plan_->districts.at(district));
+  return assembly::document_parts(plan_->of_districts(), plan_->district(district));
 }
 
 Assembly DistrictBuild::document(std::size_t district) const {
@@ -267,7 +288,7 @@ Assembly DistrictBuild::document(std::size_t district) const {
 
 double DistrictBuild::expected_triangles(std::size_t district) const {
   const assembly::District own = assembly::district_with_loops(
-      plan_->assembly, plan_->of_districts(), plan_->districts.at(district));
+      plan_->assembly, plan_->of_districts(), plan_->district(district));
   return assembly::expected_triangles(own, plan_->options.region);
 }
 
@@ -275,7 +296,7 @@ Built DistrictBuild::build(std::size_t district, const Progress& progress) const
   BuildOptions options = plan_->options;
   options.progress = progress;
   return assembly::built_district(
-      assembly::district(plan_->assembly, plan_->of_districts(), plan_->districts.at(district)),
+      assembly::district(plan_->assembly, plan_->of_districts(), plan_->district(district)),
       options);
 }
 

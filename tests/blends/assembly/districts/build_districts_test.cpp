@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/named_parts.h"
 
 namespace dupin {
@@ -213,6 +216,32 @@ TEST(BuildDistricts, one_that_is_cancelled_is_not_built) {
   BuildOptions options;
   options.progress = [](std::string_view stage, double) { return stage != "build"; };
   EXPECT_THROW((void)build(crosses(2), options), Error);
+}
+
+TEST(BuildDistricts, have_margins_that_are_finite_and_not_negative) {
+  for (const double bad : {-1e-3, -1000.0, std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity()}) {
+    BuildOptions absolute, relative;
+    absolute.margin = bad;
+    relative.relative_margin = bad;
+    for (const BuildOptions& options : {absolute, relative}) {
+      const std::string message =
+          test::message_of([&] { (void)build(crosses(2), options); }, Errc::invalid_argument);
+      EXPECT_THAT(message, HasSubstr("a margin that is finite and not negative"));
+      EXPECT_EQ(test::message_of([&] { (void)DistrictBuild(crosses(2), options); }), message);
+    }
+  }
+}
+
+TEST(BuildDistricts, are_asked_for_by_their_numbers) {
+  const DistrictBuild plan(crosses(2));
+  for (const auto& ask : std::vector<std::function<void()>>{
+           [&] { (void)plan.build(2); }, [&] { (void)plan.parts(2); },
+           [&] { (void)plan.document(2); }, [&] { (void)plan.expected_triangles(2); },
+           [&] { (void)plan.taken_from_whole(2); }}) {
+    EXPECT_EQ(test::message_of(ask, Errc::invalid_argument),
+              "there is no district 2; the last is 1");
+  }
 }
 
 }  // namespace
