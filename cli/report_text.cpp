@@ -120,6 +120,10 @@ std::string repair_text(const RepairReport& report) {
   if (report.parted_contacts) {
     add("points doubled where it touches itself");
   }
+  if (report.cavities > 0) {
+    add(counted(report.cavities, "shell") + " kept as " +
+        (report.cavities == 1 ? "a cavity" : "cavities"));
+  }
   return text.empty() ? "nothing to mend" : text;
 }
 

@@ -312,7 +312,8 @@ void bind_combinations(py::module_& module) {
                                                    "duplicate_faces"_a = report.duplicate_faces,
                                                    "turned_faces"_a = report.turned_faces,
                                                    "united_overlaps"_a = report.united_overlaps,
-                                                   "parted_contacts"_a = report.parted_contacts));
+                                                   "parted_contacts"_a = report.parted_contacts,
+                                                   "cavities"_a = report.cavities));
   });
 }
 

@@ -93,10 +93,11 @@ TEST(ReportText, repairs_are_told_file_by_file) {
   repair.merged_points = 1;
   repair.duplicate_faces = 2;
   repair.united_overlaps = true;
+  repair.cavities = 1;
   report.repairs = {{"a.off", repair}};
   EXPECT_THAT(text_of(report, ""),
               HasSubstr("repaired             a.off: 1 point merged, 2 faces dropped as "
-                        "duplicates, overlaps united\n"));
+                        "duplicates, overlaps united, 1 shell kept as a cavity\n"));
 }
 
 TEST(ReportText, findings_beyond_five_are_counted) {

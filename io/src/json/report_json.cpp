@@ -74,7 +74,8 @@ Json json_value(const FileRepair& repair) {
           {"duplicate_faces", repair.report.duplicate_faces},
           {"turned_faces", repair.report.turned_faces},
           {"united_overlaps", repair.report.united_overlaps},
-          {"parted_contacts", repair.report.parted_contacts}};
+          {"parted_contacts", repair.report.parted_contacts},
+          {"cavities", repair.report.cavities}};
 }
 
 // A difference that is not zero does not print as zero unless it is below all doubles.

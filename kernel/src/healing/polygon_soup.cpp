@@ -30,9 +30,14 @@ std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shell
   return signs;
 }
 
+struct InsideOut {
+  Faces faces;
+  std::size_t cavities = 0;  // shells of negative volume, once these are turned
+};
+
 // Shells of negative volume that an even number of others encloses, and those right inside of one
 // of these that face it as a cavity's wall does.
-Faces faces_inside_out(const PolygonSoup& soup) {
+InsideOut inside_out(const PolygonSoup& soup) {
   const mesh::Shells shells = closed_shells(soup.points, soup.triangles);
   const std::vector<int> signs = volume_signs(soup, shells);
   if (std::ranges::find(signs, -1) == signs.end()) {
@@ -41,22 +46,25 @@ Faces faces_inside_out(const PolygonSoup& soup) {
   const ShellEnclosure enclosure(soup, shells, signs);
   const std::vector<int> depths = enclosure.depths();
   std::vector<std::size_t> to_turn;
+  InsideOut result;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
     if (depths[shell] % 2 == 0 && signs[shell] < 0) {
       to_turn.push_back(shell);
+    } else if (signs[shell] < 0) {
+      ++result.cavities;
     } else if (depths[shell] % 2 != 0 && signs[shell] > 0 &&
                std::ranges::any_of(enclosure.around(shell), [&](std::uint32_t outer) {
                  return depths[outer] + 1 == depths[shell] && signs[outer] < 0;
                })) {
       to_turn.push_back(shell);
+      ++result.cavities;
     }
   }
-  Faces faces;
   for (const std::size_t shell : to_turn) {
     const auto of_shell = shells.faces_of(shell);
-    faces.insert(faces.end(), of_shell.begin(), of_shell.end());
+    result.faces.insert(result.faces.end(), of_shell.begin(), of_shell.end());
   }
-  return faces;
+  return result;
 }
 
 }  // namespace
@@ -99,11 +107,13 @@ mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const
   return solid;
 }
 
-void turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned) {
-  for (const std::uint32_t face : faces_inside_out(soup)) {
+std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned) {
+  const InsideOut found = inside_out(soup);
+  for (const std::uint32_t face : found.faces) {
     turn(soup.triangles[face]);
     is_turned[face] ^= 1;
   }
+  return found.cavities;
 }
 
 }  // namespace dupin::healing

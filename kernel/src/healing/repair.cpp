@@ -196,7 +196,7 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   healing::SettledCopies settled = healing::close_surface(soup);
   report.duplicate_faces = settled.dropped;
   refuse_holes(soup);
-  healing::turn_shells_outward(soup, settled.is_turned);
+  report.cavities = healing::turn_shells_outward(soup, settled.is_turned);
   if (settled.has_copies) {
     settled = healing::settle_copies(soup, settled.is_turned);
     report.duplicate_faces += settled.dropped;

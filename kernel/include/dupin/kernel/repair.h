@@ -14,6 +14,7 @@ struct RepairReport {
   std::size_t degenerate_faces = 0;  ///< dropped for having no area
   std::size_t duplicate_faces = 0;   ///< dropped for covering others
   std::size_t turned_faces = 0;      ///< their corners now run the other way round
+  std::size_t cavities = 0;          ///< shells inside out in others, whose walls they stay
   bool united_overlaps = false;      ///< the surface crossed or covered itself, or enclosed itself
   /// The surface touched itself, or a corner lay on an edge: faces are divided and points double.
   bool parted_contacts = false;
