@@ -144,7 +144,7 @@ class EnclosureFinder {
           std::minmax(shells_.of_face[faces[pair.first]], shells_.of_face[faces[pair.second]]));
     }
     std::ranges::sort(crossing_);
-    crossing_.erase(std::ranges::unique(crossing_).begin(), crossing_.end());
+    crossing_.erase(std::unique(crossing_.begin(), crossing_.end()), crossing_.end());
   }
 
   bool encloses(const ShellPair& pair) {
