@@ -1,9 +1,14 @@
+#include <limits>
+#include <string>
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/interop/cgal.h"
 #include "dupin/kernel/boolean.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -96,6 +101,48 @@ TEST(InteropCgalSolid, faces_of_four_corners_are_refused) {
   }
   surface.add_face(corners);
   EXPECT_THROW((void)interop::to_tri_mesh(surface), Error);
+}
+
+TYPED_TEST(InteropCgal, meshes_that_are_none_are_refused) {
+  const auto refusal = [](const TriMesh& mesh) {
+    return test::message_of([&] { (void)interop::to_surface_mesh<TypeParam>(mesh); },
+                            Errc::invalid_argument);
+  };
+  TriMesh mesh = two_labels();
+  mesh.points[1].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal(mesh), "point 1 has a coordinate that is not finite");
+  mesh = two_labels();
+  mesh.points[0].z() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal(mesh), "point 0 has a coordinate that is not finite");
+  mesh = two_labels();
+  mesh.labels.pop_back();
+  EXPECT_THAT(refusal(mesh), testing::EndsWith("give one for each, or none"));
+  mesh = two_labels();
+  mesh.triangles[2][1] = 77;
+  EXPECT_THAT(refusal(mesh), testing::StartsWith("face 2 has the corner 77, but"));
+  mesh = two_labels();
+  mesh.triangles[1][1] = mesh.triangles[1][0];
+  EXPECT_THAT(refusal(mesh), testing::StartsWith("face 1 has a corner twice"));
+}
+
+TEST(InteropCgalSolid, surfaces_with_numbers_that_are_not_finite_are_refused) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    CGAL::Surface_mesh<Inexact> surface;
+    surface.add_vertex(Inexact(0, 0, 0));
+    surface.add_vertex(Inexact(0, bad, 0));
+    EXPECT_EQ(
+        test::message_of([&] { (void)interop::to_tri_mesh(surface); }, Errc::invalid_argument),
+        "vertex 1 has a coordinate that is not finite");
+  }
+}
+
+TYPED_TEST(InteropCgal, labels_without_names_are_refused) {
+  const auto labelled = interop::to_surface_mesh<TypeParam>(two_labels());
+  EXPECT_THAT(test::message_of([&] { (void)interop::to_tri_mesh(labelled, {"only"}); },
+                               Errc::invalid_argument),
+              testing::EndsWith("has the label 1, but there are 1 names"));
 }
 
 }  // namespace

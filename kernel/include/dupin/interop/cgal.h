@@ -1,17 +1,17 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Surface_mesh.h>
 #include <gmpxx.h>
 
+#include "dupin/interop/cgal_numbers.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
@@ -22,53 +22,34 @@
 /// any; their names stay with the caller.
 namespace dupin::interop {
 
-template <class Number>
-struct IsLazy : std::false_type {};
-template <class Exact>
-struct IsLazy<CGAL::Lazy_exact_nt<Exact>> : std::true_type {};
-
-/// The exact value of a kernel's number.
-template <class Number>
-[[nodiscard]] mpq_class rational(const Number& value) {
-  if constexpr (std::is_floating_point_v<Number>) {
-    return mpq_class(value);
-  } else if constexpr (IsLazy<Number>::value) {
-    return rational(value.exact());
-  } else if constexpr (std::is_same_v<Number, mpq_class>) {
-    return value;
-  } else if constexpr (requires { value.backend().data(); }) {
-    return mpq_class(value.backend().data());
-  } else {
-    return mpq_class(value.mpq());
-  }
-}
-
-/// A kernel's number of the value given; floating-point numbers take the value toward zero.
-template <class Number>
-[[nodiscard]] Number number(const mpq_class& value) {
-  if constexpr (std::is_floating_point_v<Number>) {
-    return value.get_d();
-  } else if constexpr (IsLazy<Number>::value) {
-    return Number(number<typename Number::ET>(value));
-  } else if constexpr (std::is_same_v<Number, mpq_class>) {
-    return value;
-  } else {
-    return Number(value.get_mpq_t());
-  }
-}
-
-template <class Point>
-[[nodiscard]] std::array<mpq_class, 3> rational_coordinates(const Point& point) {
-  return {rational(point.x()), rational(point.y()), rational(point.z())};
-}
-
 namespace interop {
+
+// Surfaces test what they are given by assertions, if at all.
+inline void require_faces(const std::vector<Triangle>& triangles,
+                          const std::vector<std::uint32_t>& labels, std::size_t points) {
+  if (!labels.empty() && labels.size() != triangles.size()) {
+    refuse("there are " + std::to_string(labels.size()) + " labels for " +
+           std::to_string(triangles.size()) + " triangles; give one for each, or none");
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
+    if (std::max({a, b, c}) >= points) {
+      refuse("face " + std::to_string(i) + " has the corner " +
+             std::to_string(std::max({a, b, c})) + ", but there are " + std::to_string(points) +
+             " points");
+    }
+    if (a == b || b == c || c == a) {
+      refuse("face " + std::to_string(i) + " has a corner twice; leave such faces out");
+    }
+  }
+}
 
 template <class Point>
 void add_faces(CGAL::Surface_mesh<Point>& surface, const std::vector<Triangle>& triangles,
                const std::vector<std::uint32_t>& labels) {
   using Surface = CGAL::Surface_mesh<Point>;
   using Vertex = typename Surface::Vertex_index;
+  require_faces(triangles, labels, surface.number_of_vertices());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     if (surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Surface::null_face()) {
@@ -91,11 +72,16 @@ void add_faces(CGAL::Surface_mesh<Point>& surface, const std::vector<Triangle>& 
 }  // namespace interop
 
 /// Vertex i and face i are point i and triangle i. Throws Error{not_manifold} where a halfedge
-/// structure cannot hold the mesh.
+/// structure cannot hold the mesh, and Error{invalid_argument} for coordinates that are not finite,
+/// corners of no point, triangles with a corner twice, and labels that are not one for each.
 template <class Point>
 [[nodiscard]] CGAL::Surface_mesh<Point> to_surface_mesh(const TriMesh& mesh) {
   CGAL::Surface_mesh<Point> surface;
   for (const Vec3& point : mesh.points) {
+    if (!point.allFinite()) {
+      refuse("point " + std::to_string(surface.number_of_vertices()) +
+             " has a coordinate that is not finite");
+    }
     surface.add_vertex(Point(point.x(), point.y(), point.z()));
   }
   interop::add_faces(surface, mesh.triangles, mesh.labels);
@@ -122,8 +108,8 @@ template <class Point>
 }
 
 /// The vertices and faces in the surface's order, removed ones skipped; give it to Solid::from for
-/// a solid. Labels are taken if `names` has names for them. Throws Error{invalid_argument} where a
-/// coordinate is no double or a face no triangle.
+/// a solid. Labels are taken if there are `names`. Throws Error{invalid_argument} where a
+/// coordinate is no double, a face no triangle, or a label has no name.
 template <class Point>
 [[nodiscard]] TriMesh to_tri_mesh(const CGAL::Surface_mesh<Point>& surface,
                                   const std::vector<std::string>& names = {}) {
@@ -134,13 +120,16 @@ template <class Point>
   for (const auto vertex : surface.vertices()) {
     indices[vertex] = static_cast<std::uint32_t>(mesh.points.size());
     Vec3& point = mesh.points.emplace_back();
-    const auto exact = rational_coordinates(surface.point(vertex));
+    const auto& place = surface.point(vertex);
+    if (!has_value(place.x()) || !has_value(place.y()) || !has_value(place.z())) {
+      refuse("vertex " + std::to_string(indices[vertex]) + " has a coordinate that is not finite");
+    }
+    const auto exact = rational_coordinates(place);
     for (int k = 0; k < 3; ++k) {
       point[k] = exact[k].get_d();
       if (mpq_class(point[k]) != exact[k]) {
-        throw Error(Errc::invalid_argument,
-                    "vertex " + std::to_string(indices[vertex]) +
-                        " has a coordinate that no double holds; round the surface first");
+        refuse("vertex " + std::to_string(indices[vertex]) +
+               " has a coordinate that no double holds; round the surface first");
       }
     }
   }
@@ -150,12 +139,16 @@ template <class Point>
     const auto first = surface.halfedge(face);
     const auto second = surface.next(first), third = surface.next(second);
     if (surface.next(third) != first) {
-      throw Error(Errc::invalid_argument,
-                  "face " + std::to_string(mesh.triangles.size()) + " is not a triangle");
+      refuse("face " + std::to_string(mesh.triangles.size()) + " is not a triangle");
     }
     mesh.triangles.push_back({indices[surface.source(first)], indices[surface.source(second)],
                               indices[surface.source(third)]});
     if (labels.second && !names.empty()) {
+      if (labels.first[face] >= names.size()) {
+        refuse("face " + std::to_string(mesh.triangles.size() - 1) + " has the label " +
+               std::to_string(labels.first[face]) + ", but there are " +
+               std::to_string(names.size()) + " names");
+      }
       mesh.labels.push_back(labels.first[face]);
     }
   }
