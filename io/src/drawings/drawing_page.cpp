@@ -6,6 +6,7 @@
 
 #include "drawings/paper_sheet.h"
 #include "drawings/shading.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 #ifdef DUPIN_WITH_CAIRO
@@ -124,6 +125,11 @@ std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
 
 std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options, const PictureOptions& picture) {
+  if (!(picture.dots_per_inch > 0 && std::isfinite(picture.dots_per_inch))) {
+    throw Error(Errc::invalid_argument,
+                "a picture needs a positive number of dots per inch, such as 150, not " +
+                    decimal(picture.dots_per_inch, kMessageDigits));
+  }
   const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
   const double per_millimetre = picture.dots_per_inch / kMillimetresPerInch;
   const double width = std::ceil(sheet.size[0] * per_millimetre),

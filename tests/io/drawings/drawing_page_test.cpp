@@ -1,9 +1,12 @@
 #include "dupin/io/drawing_page.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -32,6 +35,20 @@ TEST(DrawingPage, is_pdf_and_png_of_the_same_bytes_every_time) {
 TEST(DrawingPage, refuses_pictures_that_are_too_large) {
   if (can_draw_pages()) {
     EXPECT_THROW((void)drawing_png(drawing(), {1000, 1}), Error);
+  }
+}
+
+TEST(DrawingPage, needs_a_positive_number_of_dots) {
+  if (!can_draw_pages()) {
+    return;
+  }
+  for (const double dots : {0.0, -150.0, std::nan(""), double(INFINITY)}) {
+    EXPECT_THAT(test::message_of(
+                    [&] {
+                      (void)drawing_png(drawing(), {1, 1}, {}, {dots});
+                    },
+                    Errc::invalid_argument),
+                testing::StartsWith("a picture needs a positive number of dots per inch"));
   }
 }
 

@@ -13,7 +13,7 @@ namespace dupin {
 [[nodiscard]] bool can_draw_pages();
 
 struct PictureOptions {
-  double dots_per_inch = 150;
+  double dots_per_inch = 150;  ///< positive
   /// What is drawn in colours behind the lines, with light and shade: that of which `drawing` is.
   /// None: lines alone.
   const Solid* shaded = nullptr;
@@ -25,7 +25,8 @@ struct PictureOptions {
 [[nodiscard]] std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
                                       const SheetOptions& options = {});
 
-/// The same as PNG, on white. Throws Error{limit_exceeded} for more than 100 million pixels.
+/// The same as PNG, on white. Throws Error{limit_exceeded} for more than 100 million pixels,
+/// Error{invalid_argument} for a number of dots that is not positive and finite.
 [[nodiscard]] std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
                                       const SheetOptions& options = {},
                                       const PictureOptions& picture = {});
