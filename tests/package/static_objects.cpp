@@ -26,8 +26,8 @@ constexpr std::array kExamples{"cone-to-pipe",        "crane-hook",   "cyclide-b
 
 // A pair of numbers that is none: its message says what they would be.
 constexpr const char* kMalformed =
-    R"({"format": "dupin-assembly/1", "parts": [{"pipe": {"from": [0, 0, 0], "to": [0, 0, 1],
-        "semi_axes": [1]}}]})";
+    R"({"units": "mm", "tolerance": 0.02, "parts": [{"name": "duct", "pipe": {"from": [0, 0, 0],
+        "direction": [1, 0, 0], "length": 4, "semi_axes": [2], "axis": [0, 0, 1]}}]})";
 
 template <class Work>
 std::string result_of(const Work& work) {
