@@ -271,7 +271,7 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
         root.at("junctions"), [=](const JsonNode& node) { return junction(node, parts); });
   }
   if (root.at("inputs_sha256").text() != sha256(json::inputs_text(result))) {
-    root.at("inputs_sha256").fail("does not belong to these inputs");
+    root.at("inputs_sha256").fail("does not belong to these inputs, as certify writes them");
   }
   result.claims = list<PartClaims>(root.at("claims"), part_claims);
   if (root.has("fillet_claims")) {
