@@ -276,14 +276,17 @@ TEST(Boolean, a_callback_can_cancel) {
 }
 
 TEST(Boolean, is_the_same_whatever_way_the_caller_rounds) {
-  const auto made = [] {
+  std::vector<TriMesh> meshes;
+  for (const double turn : {0.1, 0.7, 1.3}) {
+    TriMesh& tube = meshes.emplace_back(test::tube(1, -3, 3, 12));
+    for (Vec3& p : tube.points) {
+      p = Eigen::AngleAxisd(turn, Vec3(turn, 1, 2).normalized()) * p;
+    }
+  }
+  const auto made = [&] {
     std::vector<Solid> tubes;
-    for (const double turn : {0.1, 0.7, 1.3}) {
-      TriMesh tube = test::tube(1, -3, 3, 12);
-      for (Vec3& p : tube.points) {
-        p = Eigen::AngleAxisd(turn, Vec3(turn, 1, 2).normalized()) * p;
-      }
-      tubes.push_back(Solid::from(tube));
+    for (const TriMesh& mesh : meshes) {
+      tubes.push_back(Solid::from(mesh));
     }
     const Solid united = unite(tubes);
     return std::pair(united.exact_volume(), to_mesh(united, Coordinates::binary32).mesh().points);
