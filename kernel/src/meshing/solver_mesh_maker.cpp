@@ -63,15 +63,30 @@ void require_distance_of_doubles(const GivenSolid& given) {
   }
 }
 
-/// Said before hours of work: no triangle covers more than one with three of the largest edges, and
-/// there are two of them to a point. A mesh may have less area than what it is made of, but hardly
-/// a quarter.
-void require_few_points(const GivenSolid& given) {
+/// Said before hours of work: no triangle covers more than one with three of these edges, and there
+/// are two of them to a point. A mesh may have less area than what it is made of, but hardly a
+/// quarter.
+bool has_few_points(const GivenSolid& given, double edge) {
   constexpr double kPart = 0.25;
-  const double largest = given.largest_edge();
-  const double triangles = kPart * given.area() / (std::numbers::sqrt3 / 4 * largest * largest);
-  if (!(triangles / 2 <= static_cast<double>(given.options().most_points))) {
+  const double triangles = kPart * given.area() / (std::numbers::sqrt3 / 4 * edge * edge);
+  return triangles / 2 <= static_cast<double>(given.options().most_points);
+}
+
+void require_few_points(const GivenSolid& given) {
+  if (!has_few_points(given, given.largest_edge())) {
     throw too_many(given.options().most_points);
+  }
+}
+
+/// Tetrahedra are no longer than walls are thick: of a plate, twice its volume by its area.
+void require_thick_walls(const GivenSolid& given, const Solid& solid) {
+  const double thickness = 2 * solid.volume() / given.area();
+  if (!has_few_points(given, thickness)) {
+    throw Error(Errc::limit_exceeded,
+                "the solid is about " + decimal(thickness, kMessageDigits) +
+                    " thick, and filled with tetrahedra no longer than that it gets more than " +
+                    std::to_string(given.options().most_points) +
+                    " points; make it thicker, or mesh its surface alone");
   }
 }
 
@@ -211,7 +226,11 @@ SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bo
   const GivenSolid given(solid, options);
   require_distance_of_doubles(given);
   require_few_points(given);
-  return fill ? Maker(given).run() : make_surface_mesh(given);
+  if (!fill) {
+    return make_surface_mesh(given);
+  }
+  require_thick_walls(given, solid);
+  return Maker(given).run();
 }
 
 }  // namespace dupin::meshing

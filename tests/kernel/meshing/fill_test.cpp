@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
 #include "kernel/meshing/solver_mesh_checks.h"
 #include "support/shapes.h"
 
@@ -59,6 +61,22 @@ TEST(Fill, of_cavities_leaves_them_empty) {
                               std::vector{Solid::from(test::box(Vec3(2, 2, 2), Vec3(4, 4, 4)))});
   const Filled filled = fill(room, {.distance = 0.02, .largest_edge = 2});
   EXPECT_NEAR(volume(filled.mesh), 208, 1e-9);
+}
+
+TEST(Fill, of_a_plate_refuses_to_be_finer_than_it_is_thick_without_end) {
+  const auto plate = [](double thickness) {
+    return Solid::from(test::box(Vec3::Zero(), Vec3(1, 1, thickness)));
+  };
+  for (const double thickness : {1e-4, 1e-9}) {
+    try {
+      (void)fill(plate(thickness), {.distance = 0.01, .largest_edge = 0.3});
+      ADD_FAILURE() << thickness;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::limit_exceeded);
+      EXPECT_NE(error.message().find("thick"), std::string::npos) << error.message();
+    }
+  }
+  EXPECT_GT(fill(plate(0.1), {.distance = 0.01, .largest_edge = 0.3}).mesh.tetrahedra.size(), 0U);
 }
 
 TEST(Fill, of_nothing_is_nothing) {
