@@ -121,9 +121,8 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                   are_flips(end_ring(solids[first], joint.first),
                             end_ring(solids[second], joint.second)),
               parts[first].name, "joined");
-      joint.have_rims_apart = solids[first].wall() == solids[second].wall() ||
-                              std::max(solids[first].rim_beyond(joint.first),
-                                       solids[second].rim_beyond(joint.second)) <= tolerance;
+      joint.have_rims_apart = have_rims_apart(solids[first].rim(joint.first),
+                                              solids[second].rim(joint.second), tolerance);
       result.push_back(joint);
     }
   }

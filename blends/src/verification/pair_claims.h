@@ -11,7 +11,7 @@ namespace dupin::verification {
 /// The ends at which two parts are joined.
 struct JoinedEnds {
   End first = End::start, second = End::start;
-  /// No rim of the one reaches into the other: see Solid::rim_beyond.
+  /// Their rims do not reach into the other part.
   bool have_rims_apart = true;
 };
 

@@ -23,6 +23,20 @@ IntervalVec normal_at(const Piece& piece, End end) {
   return disc ? part(disc->normal, 0) : everywhere();
 }
 
+// With spheres (m; r) the rim at an end is m + s u for u.m' = -r' and r - wall <= s <= r: where r
+// grows outward, it leans over the disc of the outer skin. It lies in the hull of both discs.
+Rim rim_of(const Piece& piece, End end) {
+  const WorkLimit not_counted(kNotCounted);
+  const double t = end == End::end ? 1 : 0;
+  const auto outer = piece.motion(t, t), inner = piece.inner(t, t);
+  if (!outer || !inner) {
+    return {everywhere(), Interval::whole(), std::numeric_limits<double>::infinity()};
+  }
+  const IntervalVec center = part(inner->center, 0);
+  const Interval advance = numbers::dot(center - part(outer->center, 0), part(outer->normal, 0));
+  return {center, inner->radius[0], end == End::end ? advance.upper : -advance.lower};
+}
+
 }  // namespace
 
 Solid::Solid(const CertifiedPart& certified) {
@@ -50,22 +64,6 @@ Solid::Solid(const CertifiedPart& certified) {
   }
 }
 
-// With spheres (m; r) the rim at an end is m + s u for u.m' = -r' and r - wall <= s <= r: where r
-// grows outward, it leans over the disc of the outer skin. It lies in the hull of both discs.
-std::optional<Solid::Rim> Solid::rim_of(const Piece& piece, End end) {
-  const WorkLimit not_counted(kNotCounted);
-  const double t = end == End::end ? 1 : 0;
-  const auto outer = piece.motion(t, t), inner = piece.inner(t, t);
-  if (!outer || !inner) {
-    return Rim{everywhere(), Interval::whole(), std::numeric_limits<double>::infinity()};
-  }
-  Rim rim{part(inner->center, 0), inner->radius[0]};
-  const Interval advance =
-      numbers::dot(rim.center - part(outer->center, 0), part(outer->normal, 0));
-  rim.beyond = end == End::end ? advance.upper : -advance.lower;
-  return rim.beyond > 0 ? std::optional(rim) : std::nullopt;
-}
-
 const Piece* Solid::piece(const ParameterInterval& t) const {
   const double index = std::floor(t.from);
   return 0 <= t.from && t.from <= t.to && t.to <= length() && t.to <= index + 1 &&
@@ -82,17 +80,12 @@ std::optional<Discs> Solid::discs(const ParameterInterval& t) const {
   auto result = found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
   for (const End end : {End::start, End::end}) {
     const auto& rim = rims_.at(at(end));
-    if (result && rim && (end == End::start ? t.from == 0 : t.to == length())) {
+    if (result && rim && rim->beyond > 0 && (end == End::start ? t.from == 0 : t.to == length())) {
       result->centers.push_back(rim->center);
       result->radius = max(result->radius, Interval(rim->radius.magnitude()));
     }
   }
   return result;
-}
-
-double Solid::rim_beyond(End end) const {
-  const auto& rim = rims_.at(at(end));
-  return rim ? rim->beyond : 0;
 }
 
 bool Solid::is_run(const ParameterInterval& t) const {
@@ -124,6 +117,15 @@ double Solid::size_of_piece(std::size_t i) const {
   }
   const double size = sqrt(squared).upper;
   return size >= 0 ? size : std::numeric_limits<double>::infinity();
+}
+
+bool have_rims_apart(const std::optional<Rim>& first, const std::optional<Rim>& second,
+                     double tolerance) {
+  const double beyond = std::max(first ? first->beyond : 0, second ? second->beyond : 0);
+  return beyond <= tolerance || (first && second &&
+                                 (numbers::norm(first->center - second->center) +
+                                  Interval((first->radius - second->radius).magnitude()))
+                                         .upper <= tolerance);
 }
 
 Interval turn_between(const IntervalVec& before, const IntervalVec& after) {

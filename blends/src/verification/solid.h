@@ -10,6 +10,13 @@
 
 namespace dupin::verification {
 
+/// The conical rim at the end of a hollow chain, between the circles of both skins.
+struct Rim {
+  IntervalVec center;  ///< of the inner circle
+  Interval radius;
+  double beyond = 0;  ///< how far that may lie beyond the outer one's disc, from above
+};
+
 /// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. The
 /// pieces of a chain with kneecaps meet in balls, of which it has what lies between their discs.
 class Solid {
@@ -40,8 +47,8 @@ class Solid {
   [[nodiscard]] Interval turn_at(std::size_t i) const;
   /// The unit normal of the disc at an end, outward; everywhere where the numbers do not tell.
   [[nodiscard]] IntervalVec outward(End end) const;
-  /// How far the rim of a hollow chain reaches beyond the disc at this end, from above.
-  [[nodiscard]] double rim_beyond(End end) const;
+  /// Of an open end of a hollow chain.
+  [[nodiscard]] const std::optional<Rim>& rim(End end) const { return rims_.at(at(end)); }
   /// Of a stretch within one piece, and of the rim if it ends there; none where the numbers do not
   /// tell.
   [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;
@@ -58,16 +65,13 @@ class Solid {
   };
   [[nodiscard]] const Looks& looks() const;
   std::shared_ptr<Looks> looks_ = std::make_shared<Looks>();
-  /// A conical rim, between the circles of both skins, that may reach beyond the outer disc.
-  struct Rim {
-    IntervalVec center;  ///< of the inner circle
-    Interval radius;
-    double beyond = 0;
-  };
-  [[nodiscard]] static std::optional<Rim> rim_of(const Piece& piece, End end);
   std::array<std::optional<Rim>, 2> rims_;  ///< by end
   bool closed_ = false, is_full_ = true, has_kneecaps_ = false;
 };
+
+/// Whether the rims at a joint reach into the other part by at most the tolerance, or are one.
+[[nodiscard]] bool have_rims_apart(const std::optional<Rim>& first,
+                                   const std::optional<Rim>& second, double tolerance);
 
 /// The angle between unit normals, from above.
 [[nodiscard]] Interval turn_between(const IntervalVec& before, const IntervalVec& after);

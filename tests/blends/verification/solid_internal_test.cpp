@@ -100,15 +100,34 @@ TEST(Solid, that_is_hollow_has_the_rim_that_leans_over_its_end) {
   };
   CertifiedPart part = hollow_horn();
   const Solid horn(part);
-  EXPECT_NEAR(horn.rim_beyond(End::end), .5, 1e-12);
-  EXPECT_EQ(horn.rim_beyond(End::start), 0) << "where it is within the outer skin";
+  EXPECT_NEAR(horn.rim(End::end).value().beyond, .5, 1e-12);
+  EXPECT_NEAR(horn.rim(End::start).value().beyond, -.5, 1e-12) << "within the outer skin";
   EXPECT_NEAR(along_x(horn, {.9375, 1}), 3, 1e-6);
   EXPECT_LT(along_x(horn, {.875, .9375}), 2.5);
   EXPECT_GE(horn.boxes().front()[0].upper, 3);
   std::get<Chain>(part.shape).wall = 0;
   const Solid full(part);
-  EXPECT_EQ(full.rim_beyond(End::end), 0);
+  EXPECT_FALSE(full.rim(End::end));
   EXPECT_NEAR(along_x(full, {.9375, 1}), 2.5, 1e-6);
+}
+
+TEST(Solid, that_is_hollow_goes_on_in_another_if_their_rims_are_one) {
+  const auto horn = [](double from, double slope, double wall) {
+    CertifiedPart part = test::part(test::cyclide_piece(PeArc::from(
+        test::sphere(from, 0, 0, 4 + slope * from), test::direction(Vec3::UnitX(), slope),
+        test::sphere(from + 6, 0, 0, 4 + slope * (from + 6)))));
+    std::get<Chain>(part.shape).wall = wall;
+    return Solid(part);
+  };
+  const auto before = horn(0, .5, 1).rim(End::end), none = std::optional<Rim>();
+  EXPECT_TRUE(have_rims_apart(before, horn(6, .5, 1).rim(End::start), 1e-9));
+  EXPECT_TRUE(have_rims_apart(horn(6, .5, 1).rim(End::start), before, 1e-9));
+  EXPECT_FALSE(have_rims_apart(before, horn(6, .5, 1.25).rim(End::start), .1));
+  EXPECT_FALSE(have_rims_apart(before, horn(6, .25, 1).rim(End::start), .1));
+  EXPECT_FALSE(have_rims_apart(before, none, .49));
+  EXPECT_FALSE(have_rims_apart(none, before, .49));
+  EXPECT_TRUE(have_rims_apart(before, none, .51));
+  EXPECT_TRUE(have_rims_apart(horn(6, .5, 1).rim(End::start), none, 0)) << "it is within";
 }
 
 TEST(Solid, knows_how_much_it_turns_at_joints) {
