@@ -92,13 +92,6 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
   }
 }
 
-UsualArithmetic::UsualArithmetic() {
-  std::fegetenv(&before_);
-  std::fesetenv(FE_DFL_ENV);
-}
-
-UsualArithmetic::~UsualArithmetic() { std::fesetenv(&before_); }
-
 void for_each_in_order(std::size_t count, const std::function<void(std::size_t)>& make,
                        const std::function<void(std::size_t)>& take) {
   InOrder steps(count, make, take);

@@ -24,8 +24,11 @@ void for_each_in_order(std::size_t count, const std::function<void(std::size_t)>
 /// functions take the arithmetic as it is.
 class UsualArithmetic {
  public:
-  UsualArithmetic();
-  ~UsualArithmetic();
+  UsualArithmetic() {
+    std::fegetenv(&before_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~UsualArithmetic() { std::fesetenv(&before_); }
   UsualArithmetic(const UsualArithmetic&) = delete;
   UsualArithmetic& operator=(const UsualArithmetic&) = delete;
 
