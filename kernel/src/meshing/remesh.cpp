@@ -10,7 +10,7 @@ namespace dupin {
 Remeshed remesh(const Solid& solid, const RemeshOptions& options) {
   const UsualArithmetic usual;
   meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, false);
-  return {std::move(made.surface), std::move(made.report)};
+  return {made.surface, std::move(made.report)};
 }
 
 }  // namespace dupin
