@@ -182,7 +182,7 @@ void write_built(const Built& built, const Document& document, const BuildOption
   Solid solid = built.solid;
   if (arguments.quality == kForSolvers) {
     Remeshed made = remesh(solid, solver);
-    solid = std::move(made.solid);
+    solid = made.solid;
     remeshed = solver_report(std::move(made.report), solver);
   }
   const double distance = remeshed ? solver.distance : 0;

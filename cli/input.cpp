@@ -121,7 +121,7 @@ Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,
   }
   Repaired repaired = repaired_solid_of(mesh, name);
   report = repaired.report;
-  return std::move(repaired.solid);
+  return repaired.solid;
 }
 
 std::vector<FileRepair> repairs_in(std::span<const std::string> files,

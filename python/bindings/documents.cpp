@@ -75,7 +75,7 @@ py::tuple built(const std::string& text, const std::string& source, std::optiona
     Document document = document_named(text, source);
     options.connect = connect.value_or(document.assembly.tolerance);
     Built result = build(document, options);
-    Solid whole = std::move(result.solid);
+    Solid whole = result.solid;
     report.output.contacts = whole.contacts();
     take(report, std::move(result), document, options.connect);
     return whole;

@@ -333,7 +333,7 @@ py::tuple remeshed(const Solid& solid, double distance, double size, double angl
     Remeshed result = remesh(solid, options);
     report.solver_mesh =
         SolverMeshReport{std::move(result.report), options.smallest_angle, options.distance, {}};
-    return std::move(result.solid);
+    return result.solid;
   });
   return py::make_tuple(std::move(made), to_json(report));
 }

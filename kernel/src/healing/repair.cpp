@@ -117,7 +117,7 @@ std::optional<mesh::ExactMesh> united_shells(const healing::PolygonSoup& soup, c
     if (!solid) {
       return std::nullopt;
     }
-    solids.push_back(std::move(*solid));
+    solids.push_back(*solid);
   }
   if (solids.empty()) {
     return std::nullopt;
@@ -186,7 +186,7 @@ void refuse_holes(const healing::PolygonSoup& soup) {
 Repaired repair(const TriMesh& mesh, const Progress& progress) {
   const UsualArithmetic usual;
   if (auto solid = proved(mesh, inspected(mesh))) {
-    return {std::move(*solid), {}};
+    return {*solid, {}};
   }
   RepairReport report;
   healing::MergedPoints merged = healing::merge_duplicate_points(mesh);

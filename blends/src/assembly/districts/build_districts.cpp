@@ -179,7 +179,7 @@ void add(Built&& from, Built& to) {
   if (from.insulation) {
     to.insulation = to.insulation.value_or(0) + *from.insulation;
   }
-  to.districts.push_back(std::move(from.solid));
+  to.districts.push_back(from.solid);
 }
 
 }  // namespace
