@@ -15,8 +15,6 @@ namespace {
 using Box = std::array<Interval, 3>;  // of the coordinates
 using Parts = std::vector<std::uint32_t>;
 
-Box everywhere() { return {Interval::whole(), Interval::whole(), Interval::whole()}; }
-
 Box joined(const Box& a, const Box& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }

@@ -14,8 +14,6 @@ namespace {
 // Far more than a second.
 constexpr std::uint64_t kNotCounted = std::numeric_limits<std::uint64_t>::max();
 
-IntervalVec everywhere() { return {Interval::whole(), Interval::whole(), Interval::whole()}; }
-
 // Of the piece's discs, in the sense of its parameter.
 IntervalVec normal_at(const Piece& piece, End end) {
   const double t = end == End::end ? 1 : 0;

@@ -10,6 +10,11 @@
 
 namespace dupin::verification {
 
+/// What nothing is known of.
+[[nodiscard]] inline IntervalVec everywhere() {
+  return {Interval::whole(), Interval::whole(), Interval::whole()};
+}
+
 /// The conical rim at the end of a hollow chain, between the circles of both skins.
 struct Rim {
   IntervalVec center;  ///< of the inner circle
