@@ -4,8 +4,8 @@
 Rooms are kernel <- blends <- io <- cli; inside a room, folders are modules, and ARROWS says once
 which folder may include which. Fails on an include against an arrow, on a private header that a
 stranger includes by whatever spelling, on a namespace that is not its folder's, on libraries in
-the wrong room, on circles, on files and folders that outgrew their limits, and on a .cpp that has
-neither a header of its name nor a test of its name.
+the wrong room, on circles, on files and folders that outgrew their limits, on a .cpp that has
+neither a header of its name nor a test of its name, and on a name that stands for two types.
 """
 import collections
 import os
@@ -102,6 +102,8 @@ MOST_FILES = 40  # in a folder
 MOST_FLOORS = 9  # of the folders of a room
 LARGEST_CIRCLE = 3  # of files with their headers
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+ANY_NAMESPACE = re.compile(r"(?:inline )?namespace (?:([\w:]+) )?\{(?!.*\})")
+TYPE = re.compile(r"(?:template <.*> )?(?:enum class|struct|class|enum|union) (?:[A-Z_]+ )?([A-Za-z_][\w:]*)(?![\w:<])")
 NAMESPACE = re.compile(r"^\s*(?:inline\s+)?namespace\s+([\w:]+)\s*\{")
 
 
@@ -244,6 +246,28 @@ def faults_of_names(house):
             yield f"{path}: no test has its name"
 
 
+def types(lines):
+    """The (name, line number) of all types that a file defines, but for those in namespaces without a name."""
+    rooms = []  # the namespaces around a line
+    for number, line in enumerate(lines, 1):
+        if match := ANY_NAMESPACE.match(line):
+            rooms.append(match[1])
+        elif line.startswith("}  // namespace"):
+            rooms.pop()
+        elif (match := TYPE.match(line)) and None not in rooms and ("{" in line or not line.endswith(";")):
+            yield "::".join([*rooms, match[1]]), number
+
+
+def faults_of_types(house):
+    """One name is one type in all of the rooms: the linker keeps one vector<Run>::push_back for all Runs."""
+    places = {}
+    for path in house.paths:
+        if path.split("/")[0] in ROOMS:
+            for name, number in types((ROOT / path).read_text(encoding="utf-8").splitlines()):
+                if places.setdefault(name, path) != path:
+                    yield f"{path}:{number}: {name} is another type in {places[name]}"
+
+
 def circles(graph):
     """The strongly connected components of more than one node, by Tarjan's algorithm."""
     index, low, stack, on_stack, found = {}, {}, [], set(), []
@@ -321,7 +345,7 @@ def faults():
                 if match := INCLUDE.match(line):
                     if target := house.included(path, *match.groups()):
                         includes.append((path, target))
-    return found + list(faults_of_names(house)) + list(faults_of_plan(house, includes))
+    return found + list(faults_of_names(house)) + list(faults_of_types(house)) + list(faults_of_plan(house, includes))
 
 
 def main():

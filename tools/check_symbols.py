@@ -1,90 +1,96 @@
 #!/usr/bin/env python3
-"""check_symbols.py ARCHIVE...: fails where one name stands for two things.
+"""check_symbols.py ARCHIVE...: fails where one name stands for two functions.
 
-Two types of one name in one namespace are undefined behaviour that no compiler reports: the linker
-keeps one of their inline functions for both. Built with -O0 each object has its own copy of every
-inline function it uses, so the copies can be compared: those of one symbol must have the same
-bytes. Relocations are not part of them, so where a function lies does not matter. Nor may a
-function be inline in one object and not in another: the linker keeps the latter for both.
+Two functions of one name, an inline one in a header and another elsewhere or those of two types of
+one name, are undefined behaviour that no compiler reports: the linker keeps one for both. The debug
+information of each object (-g1 is enough, optimised or not) says in which line a function that it
+defines or inlines is written, so it has to be one line in all of them. That no two types have one
+name is read in the sources, by check_layers.py: some have no function of their own.
 """
 import collections
-import hashlib
-import struct
+import os
+import re
+import subprocess
 import sys
 
-OURS = b"5dupin"  # as mangled
-GLOBAL, WEAK = 1, 2
+OURS = re.compile(r"_ZN?[rVK]*[RO]?5dupin")  # as mangled
+DIE = re.compile(r" <\w+><(\w+)>: Abbrev Number: \d+ \(DW_TAG_(\w+)\)")
+ATTRIBUTE = re.compile(r"    <\w+>   DW_AT_(decl_file|decl_line|linkage_name|declaration|specification|artificial) *: (.*)")
+ROOM = re.compile(r".*/(?=(?:kernel|blends|io)/(?:src|include)/)")  # objects from a cache name other checkouts
+ENTRY = re.compile(r"  \d+\t(?:\(udata\)\t(\d+)\t)?\(\w+\)\t\(offset: \w+\): (.*)")
 
 
-def members(path):
-    """The (name, bytes) of the objects of an archive."""
-    data = open(path, "rb").read()
-    if data[:8] != b"!<arch>\n":
-        yield path, data
-        return
-    at, names = 8, b""
-    while at < len(data):
-        name = data[at:at + 16].rstrip()
-        size = int(data[at + 48:at + 58])
-        body = data[at + 60:at + 60 + size]
-        at += 60 + size + size % 2
-        if name == b"//":
-            names = body
-        elif name not in (b"/", b"/SYM64/"):
-            if name[:1] == b"/":
-                start = int(name[1:])
-                name = names[start:names.index(b"\n", start)]
-            yield name.rstrip(b"/").decode(), body
+def readelf(what, archive):
+    process = subprocess.Popen(["readelf", "--wide", f"--debug-dump={what}", archive], text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    yield from process.stdout
+    if process.wait() != 0:
+        raise RuntimeError(f"readelf cannot read {archive}")
 
 
-def symbols(elf):
-    """The (binding, mangled name, bytes) of the global and weak symbols that a 64-bit little-endian
-    object defines."""
-    if elf[:6] != b"\x7fELF\x02\x01":
-        raise ValueError("not a 64-bit little-endian ELF object")
-    table, = struct.unpack_from("<Q", elf, 40)
-    entry, count = struct.unpack_from("<HH", elf, 58)
-    sections = [struct.unpack_from("<IIQQQQIIQQ", elf, table + i * entry) for i in range(count)]
-    if count == 0:  # more than 65279: the first section says how many
-        count = struct.unpack_from("<IIQQQQIIQQ", elf, table)[5]
-        sections = [struct.unpack_from("<IIQQQQIIQQ", elf, table + i * entry) for i in range(count)]
-    for section in sections:
-        if section[1] != 2:  # SHT_SYMTAB
-            continue
-        strings = sections[section[6]]
-        for at in range(section[4], section[4] + section[5], 24):
-            name, info, _, index, value, size = struct.unpack_from("<IBBHQQ", elf, at)
-            if info >> 4 not in (GLOBAL, WEAK) or not 0 < index < 0xff00 or size == 0:
-                continue
-            start = strings[4] + name
-            text = elf[start:elf.index(b"\0", start)]
-            home = sections[index]
-            body = b"" if home[1] == 8 else elf[home[4] + value:home[4] + value + size]
-            yield info >> 4, text, body
+def file_tables(archive):
+    """The paths of the files of one object after the other, as its functions refer to them."""
+    tables, folders, files = [[]], [], []
+    for line in readelf("rawline", archive):
+        if line.startswith("File: "):
+            tables.append([])
+        elif line.startswith(" The Directory Table"):
+            folders, files = [], None
+        elif line.startswith(" The File Name Table"):
+            files = tables[-1]
+        elif match := ENTRY.match(line):
+            if files is None:
+                folders.append(match[2])
+            else:
+                path = os.path.normpath(os.path.join(folders[0], folders[int(match[1])], match[2]))
+                files.append(ROOM.sub("", path))
+    return tables
+
+
+def functions(archive):
+    """The (mangled name, file and line, object) of all functions of ours that objects define or inline."""
+    tables = iter(file_tables(archive))
+    member, files, die, dies = archive, next(tables), None, {}
+
+    def place(one):
+        declared = {**dies.get(one.get("specification"), {}), **one}
+        if not {"decl_file", "decl_line"} <= declared.keys():
+            return None
+        return f"{files[int(declared['decl_file'])]}:{declared['decl_line']}"
+
+    def found():
+        for one in dies.values():
+            name = one.get("linkage_name") or dies.get(one.get("specification"), {}).get("linkage_name", "")
+            is_definition = "declaration" not in one and "artificial" not in one
+            if is_definition and OURS.match(name) and (where := place(one)):
+                yield name, where, member
+
+    for line in readelf("info", archive):
+        if match := DIE.match(line):
+            die = dies.setdefault(match[1], {}) if match[2] == "subprogram" else None
+        elif line.startswith("File: "):
+            yield from found()
+            member, files, die, dies = line[6:].strip(), next(tables), None, {}  # two objects may have one name
+        elif die is not None and (match := ATTRIBUTE.match(line)):
+            # "(form) value" or "(form) (offset: 0x..): value"
+            die[match[1]] = match[2].rsplit(" ", 1)[-1].removeprefix("<0x").rstrip(">")
+    yield from found()
 
 
 def main():
-    copies = collections.defaultdict(dict)  # inline symbol -> digest -> where
-    homes = {}  # of the others
-    for path in sys.argv[1:]:
-        for member, elf in members(path):
-            for binding, name, body in symbols(elf):
-                if OURS not in name:
-                    continue
-                if binding == GLOBAL:
-                    homes[name] = f"{path}({member})"
-                else:
-                    digest = hashlib.sha256(body).hexdigest()
-                    copies[name].setdefault(digest, f"{path}({member})")
-    if not copies:
-        print("check_symbols: no weak symbol of ours; built without -O0?")
+    places = collections.defaultdict(dict)  # name -> place -> object
+    for archive in sys.argv[1:]:
+        for name, where, member in functions(archive):
+            places[name].setdefault(where, member)
+    if not places:
+        print("check_symbols: no function of ours; built without -g1?")
         return 1
-    faults = [f"{name.decode()}: differs in {', '.join(where.values())}"
-              for name, where in sorted(copies.items()) if len(where) > 1]
-    faults += [f"{name.decode()}: inline in {', '.join(copies[name].values())}, not in {home}"
-               for name, home in sorted(homes.items()) if name in copies]
-    print("\n".join(faults) if faults else f"symbols: {len(copies)} names, each one thing")
-    return 1 if faults else 0
+    several = {name: where for name, where in places.items() if len(where) > 1}
+    for name, where in sorted(several.items()):
+        print(f"check_symbols: {name} is {' and '.join(f'{line} in {member}' for line, member in sorted(where.items()))}")
+    if not several:
+        print(f"check_symbols: {len(places)} functions, one place each")
+    return 1 if several else 0
 
 
 if __name__ == "__main__":

@@ -6,8 +6,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HOUSE = {
     "kernel/include/dupin/kernel/measure.h": "#pragma once\n",
-    "kernel/src/support/blocks.h": "#pragma once\nnamespace dupin::support {\n}\n",
-    "kernel/src/support/blocks.cpp": '#include "support/blocks.h"\nnamespace dupin::support {\n}\n',
+    "kernel/src/support/blocks.h": "#pragma once\nnamespace dupin::support {\nstruct Block { int size; };\n}  // namespace dupin::support\n",
+    "kernel/src/support/blocks.cpp": '#include "support/blocks.h"\n'
+        "namespace dupin::support {\nstruct Block;\nnamespace {\nstruct Block {};\n}  // namespace\n}  // namespace dupin::support\n",
     "kernel/src/mesh/measure.cpp": '#include "dupin/kernel/measure.h"\n#include "support/blocks.h"\n',
     "tests/kernel/support/blocks_internal_test.cpp": '#include "support/blocks.h"\n',
     "tests/kernel/mesh/measure_test.cpp": '#include "dupin/kernel/measure.h"\n',
@@ -24,6 +25,8 @@ FAULTS = [  # path, its text, what is said
     ("kernel/src/support/blocks.h", "#pragma once\nnamespace dupin {\n}\n", "public namespace"),
     ("kernel/src/support/blocks.h", "#pragma once\nnamespace dupin::detail {\n}\n", "says nothing"),
     ("kernel/src/support/blocks.cpp", '#include "dupin/kernel/measure.h"\n', "no arrow leads"),
+    ("kernel/src/mesh/measure.cpp", "namespace dupin::support {\nstruct Block {\n};\n}  // namespace dupin::support\n",
+     "another type"),
     ("kernel/src/support/other.cpp", "", "no header has its name"),
     ("kernel/src/mesh/measure.cpp", "#include <CLI/CLI.hpp>\n", "allowed only in"),
     ("kernel/src/mesh/measure.cpp", "\n" * 601, "at most 600"),

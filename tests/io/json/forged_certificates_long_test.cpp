@@ -10,7 +10,7 @@ namespace {
 struct ForgedCertificatesLong : testing::TestWithParam<int> {};
 struct RandomDocumentsLong : testing::TestWithParam<int> {};
 
-TEST_P(ForgedCertificatesLong, are_not_believed) { test::expect_none_believed(GetParam(), 1000); }
+TEST_P(ForgedCertificatesLong, are_not_believed) { test::expect_none_believed(GetParam(), 200); }
 
 TEST_P(RandomDocumentsLong, are_certified_as_the_checker_agrees) {
   test::expect_all_verified(GetParam(), 400);
