@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 
 #include "surfaces/moving_disc.h"
 #include "surfaces/pieces/surface_piece.h"
@@ -74,6 +75,26 @@ std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& 
                    : surfaces::halves(t);
 }
 
+// Those asked for before: a search looks at a stretch of one part with many of the other.
+class SweptDiscs::Hulls {
+ public:
+  template <typename Make>
+  const DiscHull& over(const ParameterInterval& t, const Make& make) {
+    constexpr std::size_t kMost = 16384;  // some megabytes
+    const auto key = std::pair(t.from, t.to);
+    if (const auto known = hulls_.find(key); known != hulls_.end()) {
+      return known->second;
+    }
+    if (hulls_.size() == kMost) {
+      hulls_.clear();
+    }
+    return hulls_.emplace(key, make()).first->second;
+  }
+
+ private:
+  std::map<std::pair<double, double>, DiscHull> hulls_;
+};
+
 SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work)
     : work_(work), part_(std::make_shared<const Part>(Part{sphere, {}, {}, {}, {}})) {}
 
@@ -110,7 +131,9 @@ SweptDiscs::Part SweptDiscs::of_chain(const Chain& chain) {
 }
 
 SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
-    : work_(work), part_(std::make_shared<const Part>(of_chain(chain))) {
+    : work_(work),
+      part_(std::make_shared<const Part>(of_chain(chain))),
+      hulls_(work != nullptr ? std::make_shared<Hulls>() : nullptr) {
   spend(4 * part_->boxes.size());
 }
 
@@ -134,6 +157,7 @@ SweptDiscs::SweptDiscs(std::size_t length,
 SweptDiscs SweptDiscs::with(SearchWork* work) const {
   SweptDiscs result = *this;
   result.work_ = work;
+  result.hulls_ = work != nullptr ? std::make_shared<Hulls>() : nullptr;
   return result;
 }
 
@@ -188,6 +212,10 @@ DiscHull SweptDiscs::over_run(const ParameterInterval& t) const {
 
 DiscHull SweptDiscs::over(const ParameterInterval& t) const {
   spend(1);
+  return hulls_ ? hulls_->over(t, [&] { return hull_over(t); }) : hull_over(t);
+}
+
+DiscHull SweptDiscs::hull_over(const ParameterInterval& t) const {
   if (is_run(t)) {
     return over_run(t);
   }
@@ -223,7 +251,7 @@ bool SweptDiscs::touches_knee(const ParameterInterval& t) const {
 SweptDiscs SweptDiscs::discs_only() const {
   Part part = *part_;
   part.knees.clear();
-  SweptDiscs result = *this;
+  SweptDiscs result = with(work_);
   result.part_ = std::make_shared<const Part>(std::move(part));
   return result;
 }

@@ -89,7 +89,9 @@ class SweptDiscs {
   [[nodiscard]] bool append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const;
 
  private:
+  class Hulls;
   [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
+  [[nodiscard]] DiscHull hull_over(const ParameterInterval& t) const;
   [[nodiscard]] DiscHull over_run(const ParameterInterval& t) const;
 
   /// What is the same for all searches, which may be several at once.
@@ -107,6 +109,7 @@ class SweptDiscs {
 
   SearchWork* work_;
   std::shared_ptr<const Part> part_;
+  std::shared_ptr<Hulls> hulls_;  ///< of a search, which is in one thread; none without work
 };
 
 }  // namespace dupin::certification
