@@ -16,11 +16,12 @@ constexpr float kRounding = 0x1p-23F;
 
 }  // namespace
 
-BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
-  if (points.empty()) {
+BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : BoxQuantizer(bounds_of(points)) {}
+
+BoxQuantizer::BoxQuantizer(const Eigen::AlignedBox3d& bounds) : middle_(Vec3::Zero()), scale_(1) {
+  if (bounds.isEmpty()) {
     return;
   }
-  const Eigen::AlignedBox3d bounds = bounds_of(points);
   middle_ = bounds.min() / 2 + bounds.max() / 2;
   const double reach = (bounds.max() / 2 - bounds.min() / 2).maxCoeff();
   if (reach > 0) {
@@ -30,7 +31,11 @@ BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : middle_(Vec3::Zero())
 }
 
 BoxQuantizer::BoxQuantizer(std::span<const Vec3> points, std::span<const Triangle> triangles)
-    : BoxQuantizer(points) {
+    : BoxQuantizer(bounds_of(points), points, triangles) {}
+
+BoxQuantizer::BoxQuantizer(const Eigen::AlignedBox3d& bounds, std::span<const Vec3> points,
+                           std::span<const Triangle> triangles)
+    : BoxQuantizer(bounds) {
   axes_ = main_directions(points, triangles);
   if (axes_) {
     scale_ /= 2;  // a point is at most sqrt(3) times as far from the middle along another axis

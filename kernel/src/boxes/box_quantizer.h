@@ -34,6 +34,9 @@ class BoxQuantizer {
   /// Along axes in which boxes around the triangles are small: those of most long edges, unless the
   /// coordinate axes do as well. Boxes contain their triangles, rounding included.
   BoxQuantizer(std::span<const Vec3> points, std::span<const Triangle> triangles);
+  /// The same of triangles within these bounds; points that are of none may be anything.
+  BoxQuantizer(const Eigen::AlignedBox3d& bounds, std::span<const Vec3> points,
+               std::span<const Triangle> triangles);
 
   [[nodiscard]] FramedPoint map(const Vec3& point) const {
     const Vec3 from_middle = (point - middle_) * scale_;
@@ -61,6 +64,8 @@ class BoxQuantizer {
   [[nodiscard]] Box around(const FramedTriangle& triangle, double margin) const;
 
  private:
+  explicit BoxQuantizer(const Eigen::AlignedBox3d& bounds);
+
   Vec3 middle_;
   double scale_;                         // a power of two
   std::optional<Eigen::Matrix3d> axes_;  // rows; none if these are the coordinate axes

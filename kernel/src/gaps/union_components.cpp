@@ -1,6 +1,7 @@
 #include "gaps/union_components.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -72,12 +73,20 @@ void join_nested(const MeshPair& pair, const AllShells& all, const ShellPairs& m
   const mesh::ShellNest nest(mesh::MeshView(pair.points, pair.triangles), all.shells);
   std::vector<std::vector<std::uint32_t>> around(count);
   for (std::uint32_t inner = 0; inner < count; ++inner) {
-    for (std::uint32_t outer = 0; outer < count; ++outer) {
-      if (outer != inner && !meeting.contains(std::minmax(outer, inner)) &&
-          nest.encloses(outer, inner)) {
+    std::optional<mesh::WindingPoint> point;
+    nest.visit_boxes_around(inner, 0, [&](std::size_t other) {
+      const auto outer = static_cast<std::uint32_t>(other);
+      if (meeting.contains(std::minmax(outer, inner))) {
+        return;
+      }
+      if (!point) {
+        point = nest.test_point(inner);
+      }
+      if (nest.encloses(outer, *point)) {
         around[inner].push_back(outer);
       }
-    }
+    });
+    std::ranges::sort(around[inner]);
   }
   const auto depth = [&](std::uint32_t shell) {  // within its own mesh
     return std::count_if(around[shell].begin(), around[shell].end(),

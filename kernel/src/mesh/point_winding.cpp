@@ -1,5 +1,7 @@
 #include "mesh/point_winding.h"
 
+#include <cmath>
+
 #include "mesh/ray_crossing.h"
 
 namespace dupin::mesh {
@@ -28,10 +30,41 @@ struct TriangleAndStart {
   }
 };
 
-std::array<exact::ExactVector, 3> corners(const MeshView& mesh, std::uint32_t face, int scale) {
-  const Triangle& t = mesh.triangles[face];
-  return {times(mesh.points[t[0]], scale), times(mesh.points[t[1]], scale),
-          times(mesh.points[t[2]], scale)};
+// Whether a ray from the box passes the triangle: beyond one of its edges, seen along the ray. In
+// plain numbers, with more room than their rounding takes; false where that is not enough.
+bool passes(const std::array<Vec3, 3>& corners, const Eigen::AlignedBox3d& around) {
+  constexpr double kRounding = 0x1p-46, kUnderflow = 1e-300;
+  using Flat = Eigen::Vector2d;  // y and z
+  const Flat low = around.min().tail<2>(), high = around.max().tail<2>();
+  const auto doubled_area = [](const Flat& u, const Flat& v) {
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  const auto without_sign = [](const Flat& u, const Flat& v) {
+    return std::abs(u.x()) * v.y() + std::abs(u.y()) * v.x();
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Flat a = corners[i].tail<2>(), b = corners[(i + 1) % 3].tail<2>(),
+               c = corners[(i + 2) % 3].tail<2>();
+    const Flat edge = b - a;
+    const double third = doubled_area(edge, c - a);
+    const double start = doubled_area(edge, (low + high) / 2 - a);
+    const double reach = without_sign(edge, (high - low) / 2);
+    const Flat size = a.cwiseAbs() + c.cwiseAbs() + low.cwiseAbs() + high.cwiseAbs();
+    const double error = kRounding * without_sign(edge, size) + kUnderflow;
+    if ((third > error && start + reach < -error) || (third < -error && start - reach > error)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::array<Vec3, 3> corners(const MeshView& mesh, std::uint32_t face) {
+  const auto& [a, b, c] = mesh.triangles[face];
+  return {mesh.points[a], mesh.points[b], mesh.points[c]};
+}
+
+std::array<exact::ExactVector, 3> times(const std::array<Vec3, 3>& points, int scale) {
+  return {times(points[0], scale), times(points[1], scale), times(points[2], scale)};
 }
 
 }  // namespace
@@ -54,8 +87,10 @@ int winding_number(const MeshView& mesh, std::span<const std::uint32_t> faces,
         bounds.min().z() > high.z() || bounds.max().z() < low.z()) {
       continue;
     }
-    const TriangleAndStart triangle{corners(mesh, face, point.scale), point.scaled};
-    winding += ray_crossing(triangle, 1);
+    const std::array<Vec3, 3> triangle = corners(mesh, face);
+    if (!passes(triangle, point.around)) {
+      winding += ray_crossing(TriangleAndStart{times(triangle, point.scale), point.scaled}, 1);
+    }
   }
   return winding;
 }
@@ -63,7 +98,7 @@ int winding_number(const MeshView& mesh, std::span<const std::uint32_t> faces,
 bool may_touch(const MeshView& mesh, std::uint32_t face, const Vec3& point) {
   const exact::ExactVector start = exact::exact_vector(point);
   return bounds_of(mesh, face).contains(point) &&
-         TriangleAndStart{corners(mesh, face, 1), start}.side() == 0;
+         TriangleAndStart{times(corners(mesh, face), 1), start}.side() == 0;
 }
 
 }  // namespace dupin::mesh

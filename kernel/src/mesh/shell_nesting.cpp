@@ -16,23 +16,33 @@ std::vector<Eigen::AlignedBox3d> boxes_of(const MeshView& mesh, const Shells& sh
   return result;
 }
 
-boxes::BoxQuantizer quantizer_of(std::span<const Eigen::AlignedBox3d> all) {
-  std::vector<Vec3> corners;
-  corners.reserve(2 * all.size());
+Eigen::AlignedBox3d union_of(std::span<const Eigen::AlignedBox3d> all) {
+  Eigen::AlignedBox3d result;
   for (const Eigen::AlignedBox3d& box : all) {
-    corners.insert(corners.end(), {box.min(), box.max()});
-  }
-  return boxes::BoxQuantizer(corners);
-}
-
-std::vector<boxes::Box> framed(std::span<const Eigen::AlignedBox3d> all,
-                               const boxes::BoxQuantizer& quantizer) {
-  std::vector<boxes::Box> result;
-  result.reserve(all.size());
-  for (const Eigen::AlignedBox3d& box : all) {
-    result.push_back(quantizer.around(box));
+    result.extend(box);
   }
   return result;
+}
+
+std::vector<boxes::Box> framed_boxes_of(const MeshView& mesh, const Shells& shells,
+                                        const boxes::BoxQuantizer& quantizer) {
+  std::vector<boxes::Box> result(shells.count, boxes::Box::nothing());
+  const auto mapped = quantizer.map(mesh.points);
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    const auto& [a, b, c] = mesh.triangles[face];
+    result[shells.of_face[face]].join(quantizer.around({mapped[a], mapped[b], mapped[c]}));
+  }
+  return result;
+}
+
+// Whether `outer`, larger by `reach` on all sides, contains the box.
+bool is_within(const boxes::Box& box, const boxes::Box& outer, float reach) {
+  bool is_within = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    is_within =
+        is_within && box.low[k] >= outer.low[k] - reach && box.high[k] <= outer.high[k] + reach;
+  }
+  return is_within;
 }
 
 }  // namespace
@@ -56,15 +66,25 @@ ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
     : mesh_(mesh),
       shells_(shells),
       boxes_(boxes_of(mesh, shells)),
-      quantizer_(quantizer_of(boxes_)),
-      tree_(framed(boxes_, quantizer_)) {}
+      quantizer_(union_of(boxes_), mesh.points, mesh.triangles),
+      framed_(framed_boxes_of(mesh, shells, quantizer_)),
+      tree_(std::span<const boxes::Box>(framed_)),
+      large_(shells.count) {
+  constexpr std::size_t kLarge = 256;
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    if (const auto faces = shells.faces_of(shell); faces.size() >= kLarge) {
+      large_[shell] = std::make_unique<const RayFaces>(mesh_, faces);
+    }
+  }
+}
 
 bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
   return boxes_[outer].contains(boxes_[inner]) && encloses(outer, test_point(inner));
 }
 
 bool ShellNest::encloses(std::size_t outer, const WindingPoint& point) const {
-  return winding_number(mesh_, shells_.faces_of(outer), point) != 0;
+  return (large_[outer] ? large_[outer]->winding_number(point)
+                        : winding_number(mesh_, shells_.faces_of(outer), point)) != 0;
 }
 
 WindingPoint ShellNest::test_point(std::size_t shell) const {
@@ -76,11 +96,15 @@ WindingPoint ShellNest::test_point(std::size_t shell) const {
 void ShellNest::visit_boxes_around(std::size_t shell, double margin,
                                    const std::function<void(std::size_t)>& visit) const {
   const Vec3 &low = boxes_[shell].min(), &high = boxes_[shell].max();
-  const auto corner = quantizer_.map(low);
-  tree_.visit(quantizer_.around({corner, corner, corner}, margin), [&](std::uint32_t outer) {
+  const boxes::Box& framed = framed_[shell];
+  const boxes::FramedPoint corner(framed.low.data());
+  // Turned, a margin along the axes is less than twice as long.
+  const boxes::Box about = quantizer_.around({corner, corner, corner}, 2 * margin);
+  const float reach = about.high[0] - corner[0];
+  tree_.visit(about, [&](std::uint32_t outer) {
     const Eigen::AlignedBox3d& box = boxes_[outer];
-    if (outer != shell && (box.min() - low).maxCoeff() <= margin &&
-        (high - box.max()).maxCoeff() <= margin) {
+    if (outer != shell && is_within(framed, framed_[outer], reach) &&
+        (box.min() - low).maxCoeff() <= margin && (high - box.max()).maxCoeff() <= margin) {
       visit(outer);
     }
   });

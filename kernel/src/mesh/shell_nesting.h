@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/point_winding.h"
+#include "mesh/ray_faces.h"
 
 namespace dupin::mesh {
 
@@ -35,11 +37,12 @@ class ShellNest {
   /// On the shell, and on no other.
   [[nodiscard]] WindingPoint test_point(std::size_t shell) const;
   /// The number of other shells around it. They share no area with it and do not cross it.
-  /// O(log n) and the triangles of those in whose boxes it is.
+  /// O(log n) for each of those in whose box it is, and the faces that a ray meets.
   [[nodiscard]] int depth(std::size_t shell) const;
 
   /// Calls visit(other) for each other shell whose box, larger by `margin` on all sides, contains
-  /// that of `shell`.
+  /// that of `shell`, along the axes and along the mesh's main directions: long parts side by side
+  /// are in each other's boxes only where they are askew to both.
   void visit_boxes_around(std::size_t shell, double margin,
                           const std::function<void(std::size_t)>& visit) const;
 
@@ -51,14 +54,16 @@ class ShellNest {
   const Shells& shells_;
   std::vector<Eigen::AlignedBox3d> boxes_;
   boxes::BoxQuantizer quantizer_;
+  std::vector<boxes::Box> framed_;  ///< along main directions
   boxes::BoxTree tree_;
+  std::vector<std::unique_ptr<const RayFaces>> large_;  ///< by shell; none of small ones
 };
 
 /// Of the volume of a shell around material, or of one around a void.
 [[nodiscard]] constexpr int sign_at(int depth) { return depth % 2 == 0 ? 1 : -1; }
 
 /// For each shell the number of other shells around it. The shells share no area and do not cross.
-/// O(n log n) and the triangles of those shells in whose boxes others are, for each of these.
+/// O(n log n) and, for each pair of which one is in the other's box, the faces that a ray meets.
 [[nodiscard]] std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells);
 
 }  // namespace dupin::mesh

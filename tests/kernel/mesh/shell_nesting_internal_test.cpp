@@ -121,6 +121,63 @@ TEST(ShellNesting, of_many_shells_takes_no_time_for_those_apart) {
   EXPECT_EQ(nesting_depths({all.points, all.triangles}, found), expected);
 }
 
+// Askew to the axes, each is within the bounds of all longer ones.
+TEST(ShellNesting, of_long_rods_side_by_side_asks_few) {
+  std::vector<TriMesh> rods;
+  for (int i = 0; i < 400; ++i) {
+    TriMesh rod = test::box({0, 0, i - 2000.}, {1, 1, 2000. - i});
+    const Vec3 place(2 * (i % 20), i / 20 * 2, 0);
+    for (Vec3& p : rod.points) {
+      p += place;
+      p = p.x() * Vec3(2, -1, 0) + p.y() * Vec3(1, 2, -5) + p.z() * Vec3(1, 2, 1);
+    }
+    rods.push_back(rod);
+  }
+  const TriMesh all = test::joined(rods);
+  const EdgeTable edges(all.triangles, all.points.size());
+  const Shells found = shells(all.triangles.size(), edges);
+  ASSERT_EQ(found.count, 400U);
+  const MeshView mesh(all.points, all.triangles);
+  EXPECT_EQ(nesting_depths(mesh, found), std::vector<int>(400));
+  const ShellNest nest(mesh, found);
+  std::size_t in_bounds = 0, asked = 0;
+  for (std::size_t inner = 0; inner < found.count; ++inner) {
+    for (const Eigen::AlignedBox3d& box : nest.boxes()) {
+      in_bounds += box.contains(nest.boxes()[inner]) ? 1 : 0;
+    }
+    nest.visit_boxes_around(inner, 0, [&](std::size_t) { ++asked; });
+  }
+  EXPECT_GT(in_bounds, 10000U);
+  EXPECT_LT(asked, 10U);
+}
+
+// Their boxes along the main directions, with the rounding of these, are in each other still.
+TEST(ShellNesting, holds_in_any_direction) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 200; ++round) {
+    const auto below = [&](unsigned n) { return double(random() % n); };
+    const Vec3 u(1 + below(9), below(9), below(9)), v(below(9), -1 - below(9), below(9));
+    const Vec3 w = u.cross(v);
+    if (w.norm() == 0) {
+      continue;
+    }
+    std::vector<TriMesh> nested;
+    for (int depth = 0; depth < 6; ++depth) {
+      const Vec3 inset = Vec3::Constant(depth * 0x1p-30);
+      TriMesh box = test::box(inset, Vec3(4, 8, 256) - inset);
+      for (Vec3& p : box.points) {
+        p = p.x() * u + p.y() * v + p.z() * w;
+      }
+      nested.push_back(box);
+    }
+    const TriMesh all = test::joined(nested);
+    const EdgeTable edges(all.triangles, all.points.size());
+    const Shells found = shells(all.triangles.size(), edges);
+    EXPECT_EQ(nesting_depths({all.points, all.triangles}, found),
+              (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  }
+}
+
 TEST(ShellNesting, holds_where_shells_touch_in_a_corner) {
   const TriMesh all =
       test::joined({test::box({0, 0, 0}, {8, 8, 8}), test::tetrahedron({0, 0, 0}, 1)});
