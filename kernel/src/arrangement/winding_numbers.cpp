@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "arrangement/faces/face_outlines.h"
@@ -108,10 +109,20 @@ class Ray {
 class RayCrossings {
  public:
   explicit RayCrossings(const ArrangementInput& input)
-      : input_(input), runs_(input.operands.size()), is_asked_(input.operands.size(), 0) {}
+      : input_(input),
+        runs_(input.operands.size()),
+        is_asked_(input.operands.size(), 0),
+        is_solid_(input.operands.size(), 1) {
+    for (const auto& [first, second] : input.operand_pairs) {
+      is_solid_[first] = first == second ? 0 : is_solid_[first];
+    }
+  }
 
   // The triangles that cover the start do not count.
   [[nodiscard]] int of(const Ray& ray, std::size_t operand, std::span<const SignedTriangle> cover) {
+    if (const std::optional<int> known = in_front_of_own(operand, cover)) {
+      return *known;
+    }
     if (is_asked_[operand] != 0 && runs_[operand].empty()) {
       runs_[operand] = boxes_of_runs(operand);
     }
@@ -134,6 +145,22 @@ class RayCrossings {
   }
 
  private:
+  // What is in front of a face of a solid is outside of it: operands of thousands of parts need not
+  // be asked about each of these.
+  [[nodiscard]] std::optional<int> in_front_of_own(std::size_t operand,
+                                                   std::span<const SignedTriangle> cover) const {
+    std::optional<int> count;
+    for (const SignedTriangle& t : cover) {
+      if (input_.operand_of(t.triangle) == operand) {
+        if (count || is_solid_[operand] == 0) {
+          return std::nullopt;
+        }
+        count = t.sign < 0 ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
   static constexpr std::size_t kRun = 64, kRunsOfBlock = support::Block::kSize / kRun;
 
   [[nodiscard]] std::size_t size(std::size_t operand) const {
@@ -184,7 +211,7 @@ class RayCrossings {
 
   const ArrangementInput& input_;
   std::vector<std::vector<ArrangementInput::Bounds>> runs_;  // per operand
-  std::vector<std::uint8_t> is_asked_;
+  std::vector<std::uint8_t> is_asked_, is_solid_;  // the latter if it is not compared with itself
 };
 
 // A point for which it may not be told whether the box contains it.
