@@ -239,13 +239,19 @@ double EdgeLengths::gap(const Vec3& point, std::uint32_t curve, double along, do
 
 double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
                                   Between between) const {
-  double nearest = reach;
-  curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
-    if (curves_[e] != curve && (between == Between::all || share_a_region(curve, curves_[e]))) {
-      nearest = std::min(nearest, distance);
+  // Most are near: one that may be far is not looked for among all at once.
+  constexpr double kFirst = 0x1p-12, kStep = 4;
+  for (double within = kFirst * reach;; within = std::min(kStep * within, reach)) {
+    double nearest = reach;
+    curve_edges_.visit_near(point, within, [&](std::uint32_t e, const Vec3&, double distance) {
+      if (curves_[e] != curve && (between == Between::all || share_a_region(curve, curves_[e]))) {
+        nearest = std::min(nearest, distance);
+      }
+    });
+    if (nearest < reach || !(within < reach)) {
+      return nearest;
     }
-  });
-  return nearest;
+  }
 }
 
 void EdgeLengths::require_room(std::size_t most, Between between) const {

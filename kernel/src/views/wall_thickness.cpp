@@ -14,8 +14,9 @@
 namespace dupin {
 namespace {
 
-// The first reach of a way, of the mesh's diagonal.
-constexpr double kFirstReach = 0x1p-7;
+// The first reach of a way, of the mesh's diagonal, and how it grows: a slanted stretch of the way
+// lies in a box of its length cubed.
+constexpr double kFirstReach = 0x1p-9, kGrowth = 1.5;
 
 class Walls {
  public:
@@ -23,7 +24,7 @@ class Walls {
       : mesh_(mesh),
         opposite_(-std::cos(most_angle)),
         diagonal_(boxes::bounds_of(mesh.points).diagonal().norm()),
-        quantizer_(std::span<const Vec3>(mesh.points)),
+        quantizer_(mesh.points, mesh.triangles),
         tree_(tree()) {}
 
   [[nodiscard]] std::optional<WallPlace> wall_behind(std::uint32_t face) const {
@@ -34,8 +35,10 @@ class Walls {
     const auto& [a, b, c] = mesh_.triangles[face];
     const Vec3 from = (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3;
     const Vec3 inwards = -across.normalized();
-    for (double reach = kFirstReach * diagonal_; reach < 4 * diagonal_; reach *= 4) {
-      const auto [way, other] = first_hit(face, from, inwards, reach);
+    double before = 0;
+    for (double reach = kFirstReach * diagonal_; before < diagonal_; reach *= kGrowth) {
+      const auto [way, other] = first_hit(face, from, inwards, {before, reach});
+      before = reach;
       if (way <= reach) {
         return -doubled_area(other).normalized().dot(inwards) > opposite_
                    ? std::nullopt
@@ -51,13 +54,16 @@ class Walls {
 
  private:
   [[nodiscard]] boxes::BoxTree tree() const {
+    const auto framed = [this](std::uint32_t face) {
+      const auto& [a, b, c] = mesh_.triangles[face];
+      return quantizer_.map(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+    };
     std::vector<boxes::Box> all;
     all.reserve(mesh_.triangles.size());
-    for (const auto& [a, b, c] : mesh_.triangles) {
-      all.push_back(
-          quantizer_.around(quantizer_.map(mesh_.points[a], mesh_.points[b], mesh_.points[c])));
+    for (std::uint32_t face = 0; face < mesh_.triangles.size(); ++face) {
+      all.push_back(quantizer_.around(framed(face)));
     }
-    return boxes::BoxTree(std::span<const boxes::Box>(all));
+    return boxes::BoxTree(all, framed);
   }
 
   [[nodiscard]] Vec3 doubled_area(std::uint32_t face) const {
@@ -70,11 +76,16 @@ class Walls {
     std::uint32_t face = 0;
   };
 
+  struct Stretch {
+    double from, to;
+  };
+
+  // Of the faces about a stretch of the way.
   [[nodiscard]] Hit first_hit(std::uint32_t face, const Vec3& from, const Vec3& direction,
-                              double reach) const {
+                              const Stretch& stretch) const {
     Hit first;
-    const Vec3 end = from + reach * direction;
-    tree_.visit(quantizer_.around(quantizer_.map(from, end, end)), [&](std::uint32_t other) {
+    const Vec3 begin = from + stretch.from * direction, end = from + stretch.to * direction;
+    tree_.visit(quantizer_.around(quantizer_.map(begin, end, end)), [&](std::uint32_t other) {
       if (const double way = other == face ? first.way : exit(other, from, direction);
           way < first.way) {
         first = {way, other};
