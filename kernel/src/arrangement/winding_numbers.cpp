@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "arrangement/faces/face_outlines.h"
+#include "arrangement/operand_slabs.h"
 #include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 #include "mesh/ray_crossing.h"
@@ -70,6 +71,8 @@ class Ray {
   Ray(const ArrangementInput& input, PointId start, const Projection& front)
       : input_(input), start_(start), axis_(front.axis), direction_(front.orientation) {}
 
+  [[nodiscard]] IntervalPoint start() const { return input_.points.interval(start_); }
+
   // May be wrong only by saying yes, of a triangle or of what is in a box.
   [[nodiscard]] bool may_meet(const Triangle& corners) const {
     return may_meet([&](int k) { return extent(input_, corners, k); });
@@ -104,14 +107,16 @@ class Ray {
   int axis_, direction_;
 };
 
-// How often rays leave an operand more than they enter it. Triangles in a row are near each other
+// How often rays leave an operand more than they enter it: not at all where they start outside of
+// its slabs. Triangles in a row are near each other
 // in most meshes: from the second ray on, boxes around such runs tell which of them a ray can meet.
 class RayCrossings {
  public:
   explicit RayCrossings(const ArrangementInput& input)
       : input_(input),
         runs_(input.operands.size()),
-        is_asked_(input.operands.size(), 0),
+        slabs_(input.operands.size()),
+        asked_(input.operands.size(), 0),
         is_solid_(input.operands.size(), 1) {
     for (const auto& [first, second] : input.operand_pairs) {
       is_solid_[first] = first == second ? 0 : is_solid_[first];
@@ -123,10 +128,16 @@ class RayCrossings {
     if (const std::optional<int> known = in_front_of_own(operand, cover)) {
       return *known;
     }
-    if (is_asked_[operand] != 0 && runs_[operand].empty()) {
+    if (asked_[operand] > size(operand) / kSlabsOfAsked && !slabs_[operand]) {
+      slabs_[operand].emplace(input_, operand);
+    }
+    if (slabs_[operand] && !slabs_[operand]->may_contain(ray.start())) {
+      return 0;
+    }
+    if (asked_[operand] != 0 && runs_[operand].empty()) {
       runs_[operand] = boxes_of_runs(operand);
     }
-    is_asked_[operand] = 1;
+    ++asked_[operand];
     const std::span<const ArrangementInput::Bounds> runs = runs_[operand];
     const std::size_t count = support::block_count(size(operand), kRun);
     std::vector<int> sums(support::block_count(count, kRunsOfBlock), 0);
@@ -161,6 +172,8 @@ class RayCrossings {
     return count;
   }
 
+  // Slabs are made by one thread, and are worth it from the second time on for so many triangles.
+  static constexpr std::size_t kSlabsOfAsked = 4096;
   static constexpr std::size_t kRun = 64, kRunsOfBlock = support::Block::kSize / kRun;
 
   [[nodiscard]] std::size_t size(std::size_t operand) const {
@@ -211,7 +224,9 @@ class RayCrossings {
 
   const ArrangementInput& input_;
   std::vector<std::vector<ArrangementInput::Bounds>> runs_;  // per operand
-  std::vector<std::uint8_t> is_asked_, is_solid_;  // the latter if it is not compared with itself
+  std::vector<std::optional<OperandSlabs>> slabs_;           // of those asked about often enough
+  std::vector<std::uint32_t> asked_;
+  std::vector<std::uint8_t> is_solid_;  // the latter if it is not compared with itself
 };
 
 // A point for which it may not be told whether the box contains it.
