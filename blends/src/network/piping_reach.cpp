@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -158,6 +159,28 @@ void find_olets(const SpanIndex& index, const PipingLine& line, double snap, Pip
   }
 }
 
+// Whether a span's end disc lies in the run.
+bool is_disc_in(const Span& span, std::size_t side, const Span& run, double snap) {
+  constexpr int kPoints = 64;
+  const Vec3& from = run.ends[0].point;
+  const double length = (run.ends[1].point - from).norm();
+  const Vec3 along = (run.ends[1].point - from) / length;
+  const Vec3 axis = (span.ends.at(side).point - span.ends.at(1 - side).point) / span.length();
+  const Vec3 first = axis.unitOrthogonal(), second = axis.cross(first);
+  for (int i = 0; i < kPoints; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kPoints;
+    const Vec3 point = span.ends.at(side).point +
+                       span.radii.at(side) * (std::cos(turn) * first + std::sin(turn) * second);
+    const double level = (point - from).dot(along), share = level / length;
+    const double radius = run.radii[0] + share * (run.radii[1] - run.radii[0]);
+    if (level < -snap || level > length + snap ||
+        (point - from - level * along).norm() > radius + snap) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpans& spans,
@@ -183,7 +206,11 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
         }
         end.is_in_run = true;
         if (*further <= 0) {
-          end.is_hidden = true;
+          end.is_hidden = is_disc_in(span, side, run, options.snap);
+          if (!end.is_hidden) {
+            notes.add(line.components[span.component],
+                      "its end lies in " + run.name + " only in part, and sticks out of it");
+          }
         } else {
           end.point += *further * outward;
           if (run.role == SpanRole::straight) {

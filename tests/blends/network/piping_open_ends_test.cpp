@@ -15,6 +15,8 @@
 namespace dupin::test {
 namespace {
 
+using testing::HasSubstr;
+
 constexpr double kRadius = 50, kWall = 4;
 
 struct Branched {
@@ -150,6 +152,37 @@ TEST(PipingOpenEnds, of_branches_of_nothing_and_thicker_than_their_run_are_said)
   EXPECT_THAT(notes(network), testing::HasSubstr("30: c2: is thicker than c0"));
   EXPECT_EQ(network.open_ends, 6);
   EXPECT_EQ(areas_of_ends(build(network.assembly, {}).solid).size(), 6);
+}
+
+// Whose branch reaches back over the pipe's open end, which lies in it only in part.
+Line olet_beside_end(double end) {
+  Line line;
+  line.pipe({end, 0, 0}, {200, 0, 0});
+  line.add(PipingShape::fitting, {{22, 68, 73}}).last().center = Vec3(50, 0, 0);
+  return line;
+}
+
+TEST(PipingOpenEnds, the_branch_beside_an_end_is_refused_and_not_the_pipe) {
+  const Line line = olet_beside_end(0);
+  PipingOptions options{.wall = 4};
+  PipingNetwork network = line.made(options);
+  EXPECT_THAT(notes(network), HasSubstr("c0: its end lies in c1 only in part"));
+  try {
+    (void)build(line.line(), options, network);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "a.pcf:20");
+    EXPECT_THAT(error.message(), HasSubstr("an open end of 'c0'"));
+  }
+  options.keep_going = true;
+  network = line.made(options);
+  (void)build(line.line(), options, network);
+  ASSERT_EQ(network.assembly.parts.size(), 1U);
+  EXPECT_EQ(network.assembly.parts[0].name, "c0");
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: left out"));
+  const Line elsewhere = olet_beside_end(-60);  // as it says
+  PipingNetwork further = elsewhere.made({.wall = 4});
+  EXPECT_EQ(build(elsewhere.line(), {.wall = 4}, further).solid.components(), 1);
 }
 
 }  // namespace

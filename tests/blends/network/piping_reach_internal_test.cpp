@@ -32,5 +32,23 @@ TEST(PipingReach, leaves_ends_elsewhere_alone) {
   }
 }
 
+// Of a pipe of radius 10 that passes the axis of one of radius 50.
+TEST(PipingReach, ends_beyond_the_axis_are_none_where_they_lie_in_the_run_as_a_whole) {
+  for (const auto& [end, is_hidden] :
+       {std::pair(Vec3(500, 0, -20), true), std::pair(Vec3(500, 0, -48.9), true),
+        std::pair(Vec3(500, 0, -49.1), false), std::pair(Vec3(500, 35, -20), true),
+        std::pair(Vec3(500, 37, -20), false), std::pair(Vec3(9, 0, -20), false),
+        std::pair(Vec3(11, 0, -20), true)}) {
+    const Vec3 away(end.x(), end.y(), 300);
+    const PipingLine line = line_of({component(PipingShape::straight, {{0, 0, 0}, {1000, 0, 0}}),
+                                     component(PipingShape::straight, {end, away}, {}, 10)});
+    LineNotes notes("a.pcf", false);
+    PipingSpans spans = spans_of(line, {}, notes);
+    reach_runs(line, {}, spans, notes);
+    EXPECT_EQ(spans.spans[1].ends[0].is_hidden, is_hidden) << end.transpose();
+    EXPECT_EQ(std::move(notes).take().empty(), is_hidden) << end.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace dupin::network
