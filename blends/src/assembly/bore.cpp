@@ -184,55 +184,45 @@ class Borer {
   }
 
   [[nodiscard]] PartSurface insulation_shape(const ResolvedPart& part, double thickness) const {
-    PartSurface shape;
-    const auto fault = [&](double tried) -> std::optional<Error> {
-      try {
-        shape = narrowed_shape(part, -tried);
-        (void)margins(shape, false);
-        return std::nullopt;
-      } catch (const Error& error) {
-        return error;
-      }
-    };
-    if (const auto folds = fault(thickness)) {
-      const auto most = largest_radius_below(thickness, [&](double t) { return !fault(t); });
-      throw Error(folds->code(),
-                  "its insulation of " + decimal(thickness, kMessageDigits) +
-                      " is too thick for its bends" +
-                      (most ? "; it may be at most " + decimal(*most) : ": " + folds->message()));
-    }
-    return shape;
+    return insulated<PartSurface>(thickness, [&](double tried) {
+      PartSurface shape = narrowed_shape(part, -tried);
+      (void)margins(shape, false);
+      return shape;
+    });
   }
 
-  // Of an arm, which may narrow on its way to the hub.
-  [[nodiscard]] static double least_radius(const CyclideChain& pieces) {
-    const auto radius = [](const PeArc& piece) { return dupin::least_radius(piece); };
-    return radius(std::ranges::min(pieces.pieces, {}, radius));
+  // What is made with so thick an insulation.
+  template <typename Shape>
+  static Shape insulated(double thickness, const std::function<Shape(double)>& made) {
+    const auto fits = [&](double tried) {
+      try {
+        (void)made(tried);
+        return true;
+      } catch (const Error&) {
+        return false;
+      }
+    };
+    try {
+      return made(thickness);
+    } catch (const Error& folds) {
+      const auto most = largest_radius_below(thickness, fits);
+      throw Error(folds.code(),
+                  "its insulation of " + decimal(thickness, kMessageDigits) +
+                      " is too thick for its bends" +
+                      (most ? "; it may be at most " + decimal(*most) : ": " + folds.message()));
+    }
   }
 
   // The arms are parts, and end in the circles that the hub has, bitwise.
   void narrow(ResolvedJunction& junction) {
-    const double wall = walls_[junction.index];
     junction.name += suffix_;
-    junction.shape.hub.radius = less_wall(junction.shape.hub.radius, wall);
+    const double wall = walls_[junction.index];
+    junction.shape =
+        wall < 0 ? insulated<Junction>(-wall, [&outer = junction.shape](
+                                                  double tried) { return narrowed(outer, -tried); })
+                 : narrowed(std::move(junction.shape), wall);
     for (std::size_t i = 0; i < junction.arms.size(); ++i) {
-      JunctionArm& arm = junction.shape.arms[i];
-      CyclideChain pieces;
-      if (arm.straight) {
-        pieces.pieces.push_back(*arm.straight);
-      }
-      pieces.pieces.push_back(arm.collar);
-      (void)less_wall(least_radius(pieces), wall);
-      pieces = offset(pieces, -wall);
-      arm.end = parallel(arm.end, wall);
-      if (arm.straight) {
-        arm.straight = pieces.pieces.front();
-      }
-      arm.collar = pieces.pieces.back();
-      bore_.resolved.parts[junction.arms[i]].shape = tube(arm);
-    }
-    if (const std::string fault = unsoundness(junction.shape); !fault.empty()) {
-      refuse("its bore is no junction: " + fault);
+      bore_.resolved.parts[junction.arms[i]].shape = tube(junction.shape.arms[i]);
     }
   }
 
@@ -400,11 +390,6 @@ std::map<std::string, double> half_gaps(const ResolvedAssembly& outer, double co
   return result;
 }
 
-double wall_of(const Assembly& assembly, const Part& part) {
-  const double usual = part_kind(part.shape).is_pad ? 0 : assembly.wall.value_or(0);
-  return part.solid ? 0 : part.wall.value_or(usual);
-}
-
 bool says_wall(const Assembly& assembly) {
   return assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
            return part.wall.value_or(0) > 0;
@@ -425,6 +410,11 @@ std::map<Vec3, EndIndex, numbers::PointOrder> solids_by_center(const ResolvedAss
 }
 
 }  // namespace
+
+double wall_of(const Assembly& assembly, const Part& part) {
+  const double usual = part_kind(part.shape).is_pad ? 0 : assembly.wall.value_or(0);
+  return part.solid ? 0 : part.wall.value_or(usual);
+}
 
 std::optional<std::vector<double>> walls_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                             std::optional<Region> asked) {

@@ -16,6 +16,9 @@ namespace dupin::assembly {
 
 constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulation";
 
+/// Of one part, 0 of one without a bore.
+[[nodiscard]] double wall_of(const Assembly& assembly, const Part& part);
+
 /// The thickness of the walls of all parts, by their places in Assembly::parts; 0 of a part without
 /// a bore. None of an assembly that has no walls: neither the document nor any part says one, nor
 /// is there a hollow chain where a region was asked for.

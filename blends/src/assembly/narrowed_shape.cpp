@@ -117,6 +117,33 @@ PartSurface narrowed(const PartSurface& surface, double wall) {
   return std::visit(NarrowedSurface{wall}, surface);
 }
 
+// An arm may narrow on its way to the hub.
+Junction narrowed(Junction junction, double wall) {
+  junction.hub.radius = less_wall(junction.hub.radius, wall);
+  for (JunctionArm& arm : junction.arms) {
+    CyclideChain pieces;
+    if (arm.straight) {
+      pieces.pieces.push_back(*arm.straight);
+    }
+    pieces.pieces.push_back(arm.collar);
+    for (const PeArc& piece : pieces.pieces) {
+      (void)less_wall(least_radius(piece), wall);
+    }
+    pieces = offset(pieces, -wall);
+    arm.end = parallel(arm.end, wall);
+    if (arm.straight) {
+      arm.straight = pieces.pieces.front();
+    }
+    arm.collar = pieces.pieces.back();
+  }
+  if (const std::string fault = unsoundness(junction); !fault.empty()) {
+    throw Error(
+        Errc::infeasible_blend,
+        (wall > 0 ? "its bore is no junction: " : "its insulation is no junction: ") + fault);
+  }
+  return junction;
+}
+
 std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
                                     const std::array<double, 2>& walls) {
   return {narrowed(*pipes[0], walls[0]), narrowed(*pipes[1], walls[1])};

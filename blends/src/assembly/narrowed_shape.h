@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "dupin/blends/junction.h"
 #include "dupin/blends/part_surface.h"
 
 namespace dupin::assembly {
@@ -14,6 +15,9 @@ namespace dupin::assembly {
 [[nodiscard]] PartSurface narrowed(const PartSurface& surface, double wall);
 [[nodiscard]] std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
                                                   const std::array<double, 2>& walls);
+
+/// The parallel junction inside, or outside; refused where that is none.
+[[nodiscard]] Junction narrowed(Junction junction, double wall);
 
 /// Of a cyclide's cone the ring of the parallel one, which is that moved along the axis.
 [[nodiscard]] Ring parallel(Ring ring, double wall);

@@ -36,10 +36,15 @@ std::optional<std::vector<Ring>> further_back(std::span<const Ring> ends,
   return result;
 }
 
+bool is_enough(std::span<const Ring> ends, const JunctionSearch& found, const JunctionNeed& need) {
+  return found.junction && (!need || need(ends, *found.junction));
+}
+
 class Setbacks {
  public:
-  Setbacks(std::span<const Ring> ends, const JunctionOptions& options, std::vector<double> first)
-      : ends_(ends), options_(options), setbacks_(std::move(first)) {}
+  Setbacks(std::span<const Ring> ends, const JunctionOptions& options, std::vector<double> first,
+           const JunctionNeed& need)
+      : ends_(ends), options_(options), setbacks_(std::move(first)), need_(need) {}
 
   // What would do, or nothing if nothing was found.
   std::optional<std::vector<double>> run() {
@@ -65,7 +70,7 @@ class Setbacks {
         return false;
       }
       const JunctionSearch found = search_junction(*ends, options_);
-      if (found.junction) {
+      if (found.junction && is_enough(*ends, found, need_)) {
         return true;
       }
       if (found.setbacks.size() == setbacks_.size()) {
@@ -99,12 +104,13 @@ class Setbacks {
 
   [[nodiscard]] bool does(double times) const {
     const auto ends = further_back(ends_, setbacks_, times);
-    return ends && search_junction(*ends, options_).junction;
+    return ends && is_enough(*ends, search_junction(*ends, options_), need_);
   }
 
   std::span<const Ring> ends_;
   const JunctionOptions& options_;
   std::vector<double> setbacks_;
+  const JunctionNeed& need_;
 };
 
 std::string list_of(std::span<const Ring> ends, const std::vector<double>& setbacks) {
@@ -122,36 +128,60 @@ std::string list_of(std::span<const Ring> ends, const std::vector<double>& setba
 }
 
 std::string of_setbacks(std::span<const Ring> ends, const JunctionOptions& options,
-                        const JunctionSearch& refused) {
+                        const JunctionSearch& refused, const JunctionNeed& takes_wall) {
   const std::string near =
       "end " + std::to_string(*refused.end + 1) + " is too near to the hub's centre";
-  const auto enough = Setbacks(ends, options, refused.setbacks).run();
-  return enough ? near + ": it would do to move back " + list_of(ends, *enough)
-                : near + ", by at least " + number(refused.setbacks[*refused.end]) +
-                      "; no ends further back along their axes were found that do";
+  const std::string would_do = "it would do to move back ";
+  const std::string in_vain = "no ends further back along their axes were found that do";
+  const auto least = Setbacks(ends, options, refused.setbacks, {}).run();
+  if (!least) {
+    return near + ", by at least " + number(refused.setbacks[*refused.end]) + "; " + in_vain;
+  }
+  // A little further, ends of cones may be too thin.
+  const auto enough = takes_wall ? Setbacks(ends, options, *least, takes_wall).run() : least;
+  return enough ? near + ": " + would_do + list_of(ends, *enough)
+                : near + ": with its walls, " + in_vain + "; without, or with thinner ones, " +
+                      would_do + list_of(ends, *least);
 }
 
-std::string of_smoothness(std::span<const Ring> ends, const JunctionOptions& options,
-                          const JunctionSearch& refused) {
+// None where the junction's wall leaves it no bore however smooth it is.
+std::optional<double> fitting_smoothness(std::span<const Ring> ends, const JunctionOptions& options,
+                                         const JunctionNeed& need) {
+  const auto does = [&](double smoothness) {
+    return is_enough(ends, search_junction(ends, with_smoothness(options, smoothness)), need);
+  };
+  if (!does(0)) {
+    return std::nullopt;
+  }
   double enough = 0, much = options.smoothness;
   while (much - enough > kPart) {
     const double middle = (much + enough) / 2;
-    (search_junction(ends, with_smoothness(options, middle)).junction ? enough : much) = middle;
+    (does(middle) ? enough : much) = middle;
   }
-  return refused.reason + "; a smoothness of " + decimal_at_most(enough) + " would do";
+  return enough;
 }
 
 }  // namespace
 
 std::string advice(std::span<const Ring> ends, const JunctionOptions& options,
-                   const JunctionSearch& refused) {
+                   const JunctionSearch& refused, const JunctionNeed& takes_wall) {
   if (!refused.setbacks.empty() && refused.end) {
-    return of_setbacks(ends, options, refused);
+    return of_setbacks(ends, options, refused, takes_wall);
   }
-  if (options.smoothness > 0 && search_junction(ends, with_smoothness(options, 0)).junction) {
-    return of_smoothness(ends, options, refused);
+  const auto enough =
+      options.smoothness > 0 ? fitting_smoothness(ends, options, takes_wall) : std::nullopt;
+  return enough ? refused.reason + "; a smoothness of " + decimal_at_most(*enough) + " would do"
+                : refused.reason;
+}
+
+Junction advised_junction(std::span<const Ring> ends, const JunctionOptions& options,
+                          const JunctionNeed& takes_wall) {
+  JunctionSearch search = search_junction(ends, options);
+  if (!search.junction) {
+    throw Error(Errc::infeasible_blend, advice(ends, options, search, takes_wall), {},
+                search.end ? "end " + std::to_string(*search.end + 1) : "");
   }
-  return refused.reason;
+  return std::move(*search.junction);
 }
 
 }  // namespace dupin::junction
@@ -159,12 +189,7 @@ std::string advice(std::span<const Ring> ends, const JunctionOptions& options,
 namespace dupin {
 
 Junction junction_of(std::span<const Ring> ends, const JunctionOptions& options) {
-  JunctionSearch search = search_junction(ends, options);
-  if (!search.junction) {
-    throw Error(Errc::infeasible_blend, junction::advice(ends, options, search), {},
-                search.end ? "end " + std::to_string(*search.end + 1) : "");
-  }
-  return std::move(*search.junction);
+  return junction::advised_junction(ends, options, {});
 }
 
 }  // namespace dupin

@@ -139,5 +139,25 @@ TEST(Insulation, that_a_cyclide_cannot_follow_is_refused_with_what_would_do) {
   EXPECT_NO_THROW((void)built(bent(most), Region::insulation));
 }
 
+TEST(Insulation, of_a_junction_is_refused_where_it_is_too_thick_for_its_collars) {
+  JunctionOfPorts hub;
+  hub.ends = {{"a", End::end}, {"b", End::end}};
+  const auto document = [&](double thickness) {
+    return insulated(
+        {pipe("a", {29, 0, 0}, {9, 0, 0}, 1), pipe("b", {0, 29, 0}, {0, 9, 0}, 1.5), {"hub", hub}},
+        thickness);
+  };
+  const std::string remedy = "its insulation of 1 is too thick for its bends; it may be at most ";
+  try {
+    (void)built(document(1), Region::insulation);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "hub");
+    ASSERT_THAT(error.message(), HasSubstr(remedy));
+    const double most = std::stod(error.message().substr(remedy.size()));
+    EXPECT_EQ(built(document(most), Region::insulation).solid.components(), 1);
+  }
+}
+
 }  // namespace
 }  // namespace dupin::assembly

@@ -179,6 +179,25 @@ TEST(Bore, of_a_junction_is_refused_where_an_arm_is_thinner_than_the_wall) {
   }
 }
 
+// An end further back along its cone is thinner: what is told leaves walls their bores.
+TEST(Bore, of_a_junction_is_thought_of_where_ends_are_told_to_move_back) {
+  JunctionOfPorts hub;
+  hub.ends = {{"a", End::end}, {"b", End::end}, {"c", End::end}};
+  const auto told = [&](double wall) {
+    try {
+      (void)regions(
+          walled({pipe("a", {-20, 0, 0}, {-1, 0, 0}, 1), pipe("b", {0, -20, 0}, {0, -1, 0}, 1),
+                  part("c", ConeBetween{{9, 9, 0}, {1, 1, 0}, .1, 1}), part("hub", hub)},
+                 wall, 0.02));
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return std::string();
+  };
+  EXPECT_THAT(told(0.02), HasSubstr("centre: it would do to move back"));
+  EXPECT_THAT(told(0.95), HasSubstr("centre: with its walls, no ends further back"));
+}
+
 // A piece is at fault, and the part that it is of is named, with its place.
 TEST(Bore, of_a_chain_is_refused_where_a_piece_is_thinner_than_the_wall) {
   const auto document = [](double wall) {

@@ -39,5 +39,18 @@ TEST(NarrowedShape, of_a_cone_has_a_parallel_ring) {
   EXPECT_DOUBLE_EQ(inner.center.x(), 0.6);
 }
 
+TEST(NarrowedShape, of_a_junction_is_one_or_is_refused) {
+  const std::vector<Ring> ends{{{9, 0, 0}, {-1, 0, 0}, 1}, {{0, 9, 0}, {0, -1, 0}, 1.5}};
+  const Junction junction = junction_of(ends);
+  const Junction inside = narrowed(junction, 0.25);
+  EXPECT_EQ(unsoundness(inside), "");
+  EXPECT_EQ(inside.hub.radius, junction.hub.radius - 0.25);
+  EXPECT_EQ(inside.arms[1].end.radius, 1.25);
+  EXPECT_THROW((void)narrowed(junction, 1), Error);
+  const Junction outside = narrowed(junction, -0.125);
+  EXPECT_EQ(outside.arms[1].end.radius, 1.625);
+  EXPECT_THROW((void)narrowed(junction, -0.5), Error);  // too tight a bend
+}
+
 }  // namespace
 }  // namespace dupin::assembly

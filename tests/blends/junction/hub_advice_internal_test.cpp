@@ -80,6 +80,52 @@ TEST(HubAdvice, moves_ends_of_cones_along_them) {
   EXPECT_GT(moved, 5);
 }
 
+// As of walls that leave no bore in an end, or in an arm, which is thinner than that.
+TEST(HubAdvice, moves_no_end_so_far_that_something_else_is_wrong) {
+  int moved = 0, in_vain = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::vector<Ring> ends = random_ends(seed);
+    for (Ring& end : ends) {
+      end.slope = 0.02;
+    }
+    const JunctionSearch refused = search_junction(ends);
+    if (refused.junction || refused.setbacks.empty()) {
+      continue;
+    }
+    const auto takes = [&](std::span<const Ring> tried, const Junction& junction) {
+      return junction.hub.radius > 0.2 &&
+             std::ranges::all_of(tried, [](const Ring& end) { return end.radius > 0.3; });
+    };
+    const std::string text = advice(ends, {}, refused, takes);
+    if (text.find("move back") == std::string::npos) {
+      continue;
+    }
+    const std::vector<Ring> told = as_told(ends, text, 1);
+    const JunctionSearch found = search_junction(told);
+    ASSERT_TRUE(found.junction) << seed << ": " << text;
+    const bool is_in_vain = text.find("with its walls, no ends further back") != std::string::npos;
+    EXPECT_EQ(takes(told, *found.junction), !is_in_vain) << seed << ": " << text;
+    ++(is_in_vain ? in_vain : moved);
+  }
+  EXPECT_GT(moved, 10);
+  EXPECT_GT(in_vain, 2);
+}
+
+TEST(HubAdvice, says_no_smoothness_where_none_would_do) {
+  int found = 0;
+  for (unsigned seed = 0; seed < 80; ++seed) {
+    const std::vector<Ring> ends = random_ends(seed);
+    const JunctionOptions smooth{.smoothness = 0.8};
+    const JunctionSearch refused = search_junction(ends, smooth);
+    if (!refused.junction && search_junction(ends).junction) {
+      const auto never = [](std::span<const Ring>, const Junction&) { return false; };
+      EXPECT_EQ(advice(ends, smooth, refused, never), refused.reason) << seed;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 0);
+}
+
 TEST(HubAdvice, says_which_smoothness_would_do) {
   static const std::regex kSmoothness(R"(a smoothness of ([0-9.e-]+) would do)");
   int found = 0;

@@ -7,10 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/bore.h"
+#include "assembly/narrowed_shape.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/kernel/error.h"
+#include "junction/hub_advice.h"
 
 namespace dupin::assembly {
 namespace {
@@ -62,7 +65,7 @@ class JunctionSearchOfPorts {
       rings.push_back(made ? *port_ring(*made, End::end) : context_.ring(end));
     }
     if (is_last) {
-      result.shape = junction_of(rings, junction_.options);
+      result.shape = junction::advised_junction(rings, junction_.options, takes_wall());
       return result;
     }
     JunctionSearch search = search_junction(rings, junction_.options);
@@ -71,6 +74,30 @@ class JunctionSearchOfPorts {
     }
     result.shape = std::move(*search.junction);
     return result;
+  }
+
+  // Whether all walls leave bores; nothing to ask where there are none.
+  [[nodiscard]] junction::JunctionNeed takes_wall() const {
+    const double own = wall_of(context_.assembly, context_.assembly.parts[context_.index]);
+    std::vector<double> walls;
+    for (const PortReference& end : junction_.ends) {
+      const auto part = std::ranges::find(context_.assembly.parts, end.part, &Part::name);
+      walls.push_back(wall_of(context_.assembly, *part));
+    }
+    if (!(own > 0) && std::ranges::max(walls) <= 0) {
+      return {};
+    }
+    return [own, walls](std::span<const Ring> ends, const Junction& junction) {
+      try {
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+          (void)narrowed(ends[i], walls[i]);
+        }
+        (void)(own > 0 ? narrowed(junction, own) : junction);
+        return true;
+      } catch (const Error&) {
+        return false;
+      }
+    };
   }
 
   // To a cylinder of the same area, straight ahead.
