@@ -33,14 +33,14 @@ using SurfacePair = std::array<const PartSurface*, 2>;
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
 
+// Where walls differ, what is left between both fillets, of the thinner wall, in what is said to
+// do.
+constexpr double kWallOfFillet = 1.0 / 4;
+
 // Or, where walls are negative, what is thicker outside.
 double thicker_of(const std::array<double, 2>& walls) {
   return std::abs(walls[0]) > std::abs(walls[1]) ? walls[0] : walls[1];
 }
-
-// Where walls differ, what is left between both fillets, of the thinner wall, in what is said to
-// do.
-constexpr double kWallOfFillet = 1.0 / 4;
 
 // Why the bores of pipes with these walls have no fillet within the outer one, which there is, with
 // a ball that is larger by the thicker wall; none if they have, and so much of the thinner one is
@@ -60,6 +60,14 @@ std::optional<std::string> bore_fault(const SurfacePair& around, const SurfacePa
     return std::nullopt;
   }
   return "the fillet breaks through the outer one, as the walls differ";
+}
+
+// Whether there are both fillets, with enough left between them.
+bool both_fit(const SurfacePair& around, const std::array<std::string, 2>& names, double radius,
+              const std::array<double, 2>& walls) {
+  const auto bores = narrowed(around, walls);
+  return !fillet_fault(around, names, radius) &&
+         !bore_fault(around, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
 }
 
 // A bore with this ring at its end: where it is the ring of its own, bitwise, and where it is a
@@ -275,14 +283,14 @@ class Borer {
                           : "outside, where the ball has a radius of ") +
              decimal(radius + thicker, kMessageDigits) +
              (thicker > 0 ? ", larger by the wall, " : ", smaller by what is about the pipe, ") +
-             *fault + what_would_do(fillet, pipes, names));
+             *fault + what_would_do(fillet, names));
     }
     fillet.shape = fillet_between(pipes, names, radius + thicker);
   }
 
   // The largest ball for these walls, the thickest walls for this ball, and the thinnest wall
   // beside the thicker one.
-  [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet, const SurfacePair& pipes,
+  [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet,
                                           const std::array<std::string, 2>& names) const {
     const std::array<double, 2> walls = walls_at(fillet);
     if (thicker_of(walls) <= 0) {
@@ -291,19 +299,14 @@ class Borer {
     const double radius = fillet.shape.radius;
     const SurfacePair outer = around(fillet);
     std::vector<std::string> remedies;
-    if (const auto smaller = largest_radius_below(radius, [&](double tried) {
-          return !fillet_fault(outer, names, tried) &&
-                 !bore_fault(outer, pipes, names, tried, walls, kWallOfFillet);
-        })) {
+    if (const auto smaller = largest_radius_below(
+            radius, [&](double tried) { return both_fit(outer, names, tried, walls); })) {
       remedies.push_back("a fillet of radius " + decimal(*smaller));
     }
-    const bool are_alike = walls[0] == walls[1];
-    const double whole = are_alike ? walls[0] : 1;
-    if (const auto thinner = largest_radius_below(
-            whole, [&](double tried) { return fits_thinner(fillet, names, tried / whole); })) {
-      remedies.push_back(are_alike ? "a wall of " + decimal(*thinner)
-                                   : "walls " + decimal(*thinner) + " times as thick");
+    if (auto thinner = thinner_walls(outer, names, radius, {walls, outward_at(fillet)})) {
+      remedies.push_back(std::move(*thinner));
     }
+    const bool are_alike = walls[0] == walls[1];
     if (const auto thicker = are_alike ? std::nullopt : fitting_thinner_wall(fillet, names)) {
       remedies.push_back(*thicker);
     }
@@ -315,16 +318,6 @@ class Borer {
       text += (text.size() > 2 ? ", or " : "") + remedy;
     }
     return text + " would do";
-  }
-
-  // With such a share of both walls, which are outside, too.
-  [[nodiscard]] bool fits_thinner(const ResolvedFillet& fillet,
-                                  const std::array<std::string, 2>& names, double share) const {
-    const std::array<double, 2> walls = walls_at(fillet), outward = outward_at(fillet);
-    const double less = 1 - share;
-    const auto outer = narrowed(around(fillet), {outward[0] * less, outward[1] * less});
-    return fit({&outer[0], &outer[1]}, names, fillet.shape.radius,
-               {walls[0] * share, walls[1] * share});
   }
 
   // The least wall of the part with the thinner one, where radii are those of outer surfaces.
@@ -339,19 +332,12 @@ class Borer {
     const auto largest = largest_radius_below(apart, [&](double tried) {
       std::array<double, 2> changed = walls;
       changed.at(thin) = most - tried;
-      return fit(around(fillet), names, fillet.shape.radius, changed);
+      return both_fit(around(fillet), names, fillet.shape.radius, changed);
     });
     const std::string& name = outer_.parts[fillet.between.at(thin)].name;
     return largest ? std::optional("a wall of " + decimal_at_most(most - *largest) + " of '" +
                                    name + "'")
                    : std::nullopt;
-  }
-
-  static bool fit(const SurfacePair& outer, const std::array<std::string, 2>& names, double radius,
-                  const std::array<double, 2>& walls) {
-    const auto bores = narrowed(outer, walls);
-    return !fillet_fault(outer, names, radius) &&
-           !bore_fault(outer, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
   }
 
   [[nodiscard]] SurfacePair around(const ResolvedFillet& fillet) const {
@@ -434,23 +420,47 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
   return has_walls ? std::optional(std::move(result)) : std::nullopt;
 }
 
-bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2>& pipes,
-                const std::array<std::string, 2>& names, double radius) {
-  std::array<double, 2> walls{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto part = std::ranges::find(assembly.parts, names.at(i), &Part::name);
-    walls.at(i) = part == assembly.parts.end() ? 0 : wall_of(assembly, *part);
-    if (!(walls.at(i) > 0)) {
-      return true;
-    }
+bool bore_takes(const std::array<const PartSurface*, 2>& surfaces,
+                const std::array<std::string, 2>& names, double radius,
+                const std::array<double, 2>& walls) {
+  if (!(walls[0] > 0 && walls[1] > 0)) {
+    return true;
   }
   std::array<PartSurface, 2> bores;
   try {
-    bores = narrowed(pipes, walls);
+    bores = narrowed(surfaces, walls);
   } catch (const Error&) {
     return true;  // whatever the fillet
   }
-  return !bore_fault(pipes, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
+  return !bore_fault(surfaces, {&bores[0], &bores[1]}, names, radius, walls, kWallOfFillet);
+}
+
+std::optional<std::string> thinner_walls(const std::array<const PartSurface*, 2>& around,
+                                         const std::array<std::string, 2>& names, double radius,
+                                         const PipeWalls& walls) {
+  const bool are_alike = walls.walls[0] == walls.walls[1];
+  const double whole = are_alike ? walls.walls[0] : 1;
+  const auto thinner = largest_radius_below(whole, [&](double tried) {
+    const double share = tried / whole, less = 1 - share;
+    const auto outer = narrowed(around, {walls.outward[0] * less, walls.outward[1] * less});
+    return both_fit({&outer[0], &outer[1]}, names, radius,
+                    {walls.walls[0] * share, walls.walls[1] * share});
+  });
+  return !thinner    ? std::nullopt
+         : are_alike ? std::optional("a wall of " + decimal(*thinner))
+                     : std::optional("walls " + decimal(*thinner) + " times as thick");
+}
+
+PipeWalls pipe_walls(const Assembly& assembly, const std::array<std::string, 2>& names) {
+  PipeWalls result;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto part = std::ranges::find(assembly.parts, names.at(i), &Part::name);
+    if (part != assembly.parts.end()) {
+      result.walls.at(i) = wall_of(assembly, *part);
+      result.outward.at(i) = outward_distance(assembly, *part);
+    }
+  }
+  return result;
 }
 
 bool ends_cone_of_cyclide(const ResolvedPart& part, End end) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assembly/fillet_part.h"
 #include "assembly/selected_parts.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
@@ -46,11 +47,20 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 [[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                     const std::vector<double>& walls);
 
+/// Of the parts of these names.
+[[nodiscard]] PipeWalls pipe_walls(const Assembly& assembly,
+                                   const std::array<std::string, 2>& names);
+
 /// Whether the bore of both pipes has its fillet, too, where the outer ball has this radius, as far
 /// as their walls leave a bore; true where not both are hollow.
-[[nodiscard]] bool bore_takes(const Assembly& assembly,
-                              const std::array<const PartSurface*, 2>& pipes,
-                              const std::array<std::string, 2>& names, double radius);
+[[nodiscard]] bool bore_takes(const std::array<const PartSurface*, 2>& pipes,
+                              const std::array<std::string, 2>& names, double radius,
+                              const std::array<double, 2>& walls);
+
+/// "a wall of 2", or "walls 0.5 times as thick": with which it does; none if with none.
+[[nodiscard]] std::optional<std::string> thinner_walls(
+    const std::array<const PartSurface*, 2>& pipes, const std::array<std::string, 2>& names,
+    double radius, const PipeWalls& walls);
 
 /// How thick the insulation of all parts is, by their places in Assembly::parts. Empty if there is
 /// none.

@@ -6,10 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "assembly/bore.h"
+#include "canal/straight_pipe.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -19,11 +22,15 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSamples = 256;  // of a loop
-// What rounding leaves of a touch, of a radius.
-constexpr double kTouching = 1e-9;
+constexpr double kTouching = canal::kTouching;
 constexpr double kRounding = 1e-13;  // of what is no touch
 // A smaller gap would have the ball turn within the rounding of where it is.
 constexpr double kTouchingPipes = 0x1p-33;
+
+using canal::Course;
+using canal::Place;
+using canal::Range;
+using Pipe = canal::StraightPipe;
 
 const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
   const auto* chain = std::get_if<Chain>(&surface);
@@ -37,121 +44,6 @@ const RingedSurface& straight_tube(const PartSurface& surface, const std::string
   return *tube;
 }
 
-struct Range {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-
-  void include(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-};
-
-// How a loop lies on one of its pipes.
-struct Course {
-  Range height;        // along the axis, from the start
-  bool winds = false;  // about the axis
-};
-
-enum class Place { within, beside, across };
-
-class Pipe {
- public:
-  Pipe(const RingedSurface& tube, const std::string& name)
-      : tube_(tube),
-        name_(name),
-        axis_(tube.end.normal),
-        length_((tube.end.center - tube.start.center).dot(axis_)) {}
-
-  [[nodiscard]] const Ring& ring() const { return tube_.end; }
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] double length() const { return length_; }
-
-  [[nodiscard]] double height(const Vec3& point) const {
-    return (point - tube_.start.center).dot(axis_);
-  }
-
-  // Of points that a loop has on it, once around.
-  [[nodiscard]] Course course(std::span<const Vec3> points) const {
-    Course course;
-    double turn = 0;
-    Vec3 last = arm(points.back());
-    for (const Vec3& point : points) {
-      const Vec3 next = arm(point);
-      course.height.include(height(point));
-      turn += std::atan2(last.cross(next).dot(axis_), last.dot(next));
-      last = next;
-    }
-    course.winds = std::abs(turn) > kTurn / 2;
-    return course;
-  }
-
-  // Beyond a buried end there is no face: a loop is on this side of it, but for one point where the
-  // pipes touch, or on the other.
-  [[nodiscard]] Place place(const Course& course, const std::array<bool, 2>& buried) const {
-    const Range& height = course.height;
-    const double middle = (height.least + height.most) / 2;
-    const bool over_start = buried[0] ? middle > 0 : height.least > 0;
-    const bool under_end = buried[1] ? middle < length_ : height.most < length_;
-    if (over_start && under_end) {
-      return Place::within;
-    }
-    const bool beside = (buried[0] && !over_start) || (buried[1] && !under_end) ||
-                        height.most < 0 || height.least > length_;
-    return beside ? Place::beside : Place::across;
-  }
-
-  // How far a disc reaches out of it, negative inside.
-  [[nodiscard]] double reach_out(const Ring& disc) const {
-    const Vec3 first = reference_axis(disc), second = disc.normal.cross(first);
-    const auto over = [&](double t) {  // how far the circle's point is outside
-      return outside(disc.center + disc.radius * (std::cos(t) * first + std::sin(t) * second));
-    };
-    double most = 0, step = kTurn / kSamples;
-    for (int i = 1; i < kSamples; ++i) {
-      most = over(i * step) > over(most) ? i * step : most;
-    }
-    for (; step > 1e-9; step /= 2) {
-      most = over(most - step) > over(most) ? most - step : most;
-      most = over(most + step) > over(most) ? most + step : most;
-    }
-    return over(most);
-  }
-
-  // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
-  [[nodiscard]] bool buries(const Ring& disc) const {
-    // No point of it is more than its radius away from its center, nor `outside` by more than that
-    // times what it grows by: most discs are clear of a touch by far.
-    const double center = outside(disc.center);
-    const double most = disc.radius * std::hypot(1, tube_.end.slope);
-    const double touch = kTouching * (tube_.end.radius + most + std::abs(center));
-    if (std::abs(center) > most + 2 * touch) {
-      return center < 0;
-    }
-    return reach_out(disc) <= kTouching * tube_.end.radius;
-  }
-
-  [[nodiscard]] double outside(const Vec3& point) const {
-    const double at = height(point);
-    const double radius = tube_.end.radius + tube_.end.slope * (at - length_);
-    return std::max({arm(point).norm() - radius, -at, at - length_});
-  }
-
-  [[nodiscard]] const Ring& end(End end) const {
-    return end == End::start ? tube_.start : tube_.end;
-  }
-
- private:
-  [[nodiscard]] Vec3 arm(const Vec3& point) const {
-    const Vec3 from = point - tube_.start.center;
-    return from - from.dot(axis_) * axis_;
-  }
-
-  const RingedSurface& tube_;
-  const std::string& name_;
-  Vec3 axis_;
-  double length_;
-};
-
 // Points that a loop has on both pipes.
 std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
   std::array<std::vector<Vec3>, 2> feet;
@@ -164,6 +56,9 @@ std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
 }
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
+
+// What pipes are too short by, at both ends.
+using Missing = std::array<std::array<double, 2>, 2>;
 
 // With a radius of 0, of a cope.
 class Search {
@@ -212,6 +107,17 @@ class Search {
       refuse_open_end(i);
     }
     return std::move(result_);
+  }
+
+  // Of the loop that was refused for that, or the one that lacks least; none where all is well, or
+  // something else is wrong.
+  std::optional<Missing> missing() {
+    try {
+      (void)with_loops();
+    } catch (const Error&) {
+      return missing_ ? std::optional(missing_->second) : std::nullopt;
+    }
+    return std::nullopt;
   }
 
   void prove(Fillet& fillet) const {
@@ -267,8 +173,9 @@ class Search {
       disc.radius = (inside + out) / 2;
       (pipes_.at(1 - i).reach_out(disc) > 0 ? out : inside) = disc.radius;
     }
-    return inside > 0
-               ? "; there it lies inside with a radius of " + decimal_at_least(inside) + " at most"
+    const double said = pipes_.at(i).said(inside);
+    return inside > 0 && said > 0
+               ? "; there it lies inside with a radius of " + decimal_at_least(said) + " at most"
                : std::string();
   }
 
@@ -284,15 +191,24 @@ class Search {
       return {};
     }
     const std::string &name = pipes_.at(i).name(), &around = pipes_.at(1 - i).name();
+    const double said = pipes_.at(i).said(room);
+    if (own.radius > other.radius) {
+      return "; it is thicker than '" + around + "', which may end in it or go on through it";
+    }
     const std::string off = "; its axis is " + decimal(aside, kMessageDigits) + " off that of '" +
                             around + "', where nothing thicker than a radius of ";
-    return (room > 0 ? off + decimal(room, kDigits) + " ends in it" : "; it is too far aside") +
+    return (room > 0 && said > 0 ? off + decimal(said, kDigits) + " ends in it"
+                                 : "; it is too far aside") +
            ": '" + name + "' may go on through '" + around + "'";
   }
 
-  // What may be meant to lie inside the other pipe, and does so but for a part.
+  // What may be meant to lie inside the other pipe, and does so but for a part; none where the
+  // other one ends in it.
   [[nodiscard]] std::string half_buried_end() const {
     for (const std::size_t i : {0U, 1U}) {
+      if (result_.buried.at(1 - i)[0] || result_.buried.at(1 - i)[1]) {
+        continue;
+      }
       for (const End end : {End::start, End::end}) {
         const Ring& disc = pipes_.at(i).end(end);
         const double out = pipes_.at(1 - i).reach_out(disc);
@@ -311,6 +227,9 @@ class Search {
     const std::array<Course, 2> courses{pipes_[0].course(feet[0]), pipes_[1].course(feet[1])};
     const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),
                                       pipes_[1].place(courses[1], result_.buried[1])};
+    if (places[0] != Place::within || places[1] != Place::within) {
+      note_missing(courses);
+    }
     if (places[0] == Place::beside || places[1] == Place::beside) {
       return;
     }
@@ -326,6 +245,25 @@ class Search {
     courses_.push_back(courses);
   }
 
+  void note_missing(const std::array<Course, 2>& courses) {
+    Missing missing{};
+    double sum = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Range& height = courses.at(i).height;
+      const double length = pipes_.at(i).length(), middle = (height.least + height.most) / 2;
+      const auto& buried = result_.buried.at(i);
+      if ((buried[0] && middle <= 0) || (buried[1] && middle >= length)) {
+        return;  // beyond an end that is inside
+      }
+      missing.at(i) = {buried[0] ? 0 : std::max(-height.least, 0.0),
+                       buried[1] ? 0 : std::max(height.most - length, 0.0)};
+      sum += missing.at(i)[0] + missing.at(i)[1];
+    }
+    if (sum > 0 && (!missing_ || sum < missing_->first)) {
+      missing_ = std::pair(sum, missing);
+    }
+  }
+
   // A pipe that a single loop winds about has to end inside the other one.
   void refuse_open_end(std::size_t i) const {
     const auto& buried = result_.buried.at(i);
@@ -339,6 +277,8 @@ class Search {
   double radius_;
   Fillet result_;
   std::vector<std::array<Course, 2>> courses_;
+  // In all, and of each.
+  std::optional<std::pair<double, Missing>> missing_;
 };
 
 std::optional<std::string> fault_of(const std::array<Pipe, 2>& pipes, double radius) {
@@ -351,9 +291,9 @@ std::optional<std::string> fault_of(const std::array<Pipe, 2>& pipes, double rad
 }
 
 std::array<Pipe, 2> pipes_of(const std::array<const PartSurface*, 2>& surfaces,
-                             const std::array<std::string, 2>& names) {
-  return {Pipe(straight_tube(*surfaces[0], names[0]), names[0]),
-          Pipe(straight_tube(*surfaces[1], names[1]), names[1])};
+                             const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  return {Pipe(straight_tube(*surfaces[0], names[0]), names[0], walls.outward[0]),
+          Pipe(straight_tube(*surfaces[1], names[1]), names[1], walls.outward[1])};
 }
 
 // The decimal of fewest digits that fits.
@@ -368,36 +308,152 @@ double shortest_between(double low, double high, const std::function<bool(double
   return high;
 }
 
-std::string what_would_do(const std::array<Pipe, 2>& pipes, double radius,
-                          const std::function<bool(double)>& fits_bore) {
+// Made longer, along a cone if it is one; none where that would close.
+std::optional<RingedSurface> lengthened(RingedSurface tube, const std::array<double, 2>& by) {
+  for (const End end : {End::start, End::end}) {
+    Ring& ring = end == End::start ? tube.start : tube.end;
+    ring.center += by.at(at(end)) * ring.normal;
+    ring.radius += by.at(at(end)) * ring.slope;
+    if (!(ring.radius > 0)) {
+      return std::nullopt;
+    }
+  }
+  tube.spine = LineSpine{tube.start.center, tube.end.center};
+  tube.radius = LinearRadius{tube.start.radius, tube.end.radius};
+  return tube;
+}
+
+// Pipes that are longer where they were found to be too short, with numbers that can be told.
+class LongerPipes {
+ public:
+  LongerPipes(const std::array<const PartSurface*, 2>& surfaces,
+              const std::array<std::string, 2>& names, const PipeWalls& walls)
+      : names_(names),
+        walls_(walls),
+        tubes_{straight_tube(*surfaces[0], names[0]), straight_tube(*surfaces[1], names[1])} {}
+
+  // What would do for a fillet of this radius, or a smaller one.
+  std::optional<std::string> what_would_do(double radius) {
+    constexpr int kMost = 4;  // one after the other is found
+    for (int i = 0; i < kMost; ++i) {
+      const PartSurface first = Chain(longer_[0]), second = Chain(longer_[1]);
+      const std::array<const PartSurface*, 2> both{&first, &second};
+      const std::array<Pipe, 2> pipes = pipes_of(both, names_, walls_);
+      const auto fits = [&](double tried) {
+        return !fault_of(pipes, tried) && bore_takes(both, names_, tried, walls_.walls);
+      };
+      if (i > 0) {
+        const auto largest =
+            fits(radius) ? std::optional(radius) : largest_radius_below(radius, fits);
+        if (largest) {
+          return text(*largest == radius ? std::nullopt : largest);
+        }
+      }
+      if (!lengthen(missing(pipes, radius))) {
+        break;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::optional<Missing> missing(const std::array<Pipe, 2>& pipes, double radius) {
+    try {
+      return Search(pipes, radius).missing();
+    } catch (const Error&) {
+      return std::nullopt;  // one lies inside the other
+    }
+  }
+
+  bool lengthen(const std::optional<Missing>& missing) {
+    constexpr double kMore = 1.01;
+    for (std::size_t i = 0; missing && i < 2; ++i) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double more = missing->at(i).at(end);
+        by_.at(i).at(end) = more > 0 ? std::stod(decimal(kMore * (by_.at(i).at(end) + more), 3))
+                                     : by_.at(i).at(end);
+      }
+      const auto longer = lengthened(tubes_.at(i), by_.at(i));
+      if (!longer) {
+        return false;
+      }
+      longer_.at(i) = *longer;
+    }
+    return missing.has_value();
+  }
+
+  [[nodiscard]] std::string text(const std::optional<double>& radius) const {
+    std::string result;
+    for (std::size_t i = 0; i < 2; ++i) {
+      bool is_named = false;
+      for (const End end : {End::start, End::end}) {
+        const double by = by_.at(i).at(at(end));
+        if (by > 0) {
+          result += (result.empty() ? "; with " : " and ") +
+                    (is_named ? "" : "'" + names_.at(i) + "' longer ") + "by " + decimal(by) +
+                    " at its " + std::string(name(end));
+          is_named = true;
+        }
+      }
+    }
+    return result + (radius ? " a ball of radius " + decimal(*radius) : " the ball") + " would fit";
+  }
+
+  const std::array<std::string, 2>& names_;
+  const PipeWalls& walls_;
+  std::array<RingedSurface, 2> tubes_, longer_ = tubes_;
+  Missing by_{};
+};
+
+std::string what_would_do(const std::array<const PartSurface*, 2>& surfaces,
+                          const std::array<std::string, 2>& names, double radius,
+                          const PipeWalls& walls) {
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names, walls);
   const auto fits = [&](double tried) { return !fault_of(pipes, tried); };
+  const auto bore_fits = [&](double tried) {
+    return bore_takes(surfaces, names, tried, walls.walls);
+  };
   // No ball as large as both are long goes round.
   const double most = std::min(radius, pipes[0].length() + pipes[1].length());
   const auto outside = largest_radius_below(most, fits);
   if (!outside) {
-    return "; nor does a smaller ball fit";
+    return LongerPipes(surfaces, names, walls)
+        .what_would_do(radius)
+        .value_or("; nor does a smaller ball fit");
   }
   const std::string named = "; the largest ball that fits has a radius of ";
-  if (!fits_bore || fits_bore(*outside)) {
+  if (bore_fits(*outside)) {
     return named + decimal(*outside);
   }
-  const auto both =
-      largest_radius_below(*outside, [&](double tried) { return fits(tried) && fits_bore(tried); });
-  return both ? named + decimal(*both)
-              : named + decimal(*outside) +
-                    ", but with these walls neither it nor a smaller one fits inside";
+  if (const auto both = largest_radius_below(
+          *outside, [&](double tried) { return fits(tried) && bore_fits(tried); })) {
+    return named + decimal(*both);
+  }
+  std::string text = named + decimal(*outside) +
+                     ", but with these walls neither it nor a smaller one fits inside, which "
+                     "insulation alone does not ask for";
+  for (const double share : {1.0, 0.5, 0.1}) {
+    const double tried = share == 1 ? *outside : rounded(share * *outside, 2);
+    const auto thinner = fits(tried) ? thinner_walls(surfaces, names, tried, walls) : std::nullopt;
+    if (thinner) {
+      return text + (share == 1 ? "; with it, " : "; with one of " + decimal(tried) + ", ") +
+             *thinner + " would do";
+    }
+  }
+  return text;
 }
 
 // What `work` does with the pipes; where it refuses them, with what would do.
 template <typename Work>
 auto searched(const std::array<const PartSurface*, 2>& surfaces,
-              const std::array<std::string, 2>& names, double radius,
-              const std::function<bool(double)>& fits_bore, const Work& work) {
-  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
+              const std::array<std::string, 2>& names, double radius, const PipeWalls& walls,
+              const Work& work) {
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names, walls);
   try {
     return work(pipes);
   } catch (const Error& error) {
-    throw Error(Errc::infeasible_blend, error.message() + what_would_do(pipes, radius, fits_bore));
+    throw Error(Errc::infeasible_blend,
+                error.message() + what_would_do(surfaces, names, radius, walls));
   }
 }
 
@@ -432,39 +488,38 @@ std::optional<double> largest_radius_below(double radius, const std::function<bo
 
 Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
                       const std::array<std::string, 2>& names, double radius,
-                      const std::function<bool(double)>& fits_bore) {
-  return searched(surfaces, names, radius, fits_bore,
+                      const PipeWalls& walls) {
+  return searched(surfaces, names, radius, walls,
                   [&](const auto& pipes) { return Search(pipes, radius).run(); });
 }
 
 Fillet fillet_without_loops(const std::array<const PartSurface*, 2>& surfaces,
                             const std::array<std::string, 2>& names, double radius,
-                            const std::function<bool(double)>& fits_bore) {
-  return searched(surfaces, names, radius, fits_bore,
+                            const PipeWalls& walls) {
+  return searched(surfaces, names, radius, walls,
                   [&](const auto& pipes) { return Search::without_loops(pipes, radius); });
 }
 
 void find_loops(Fillet& fillet, const std::array<const PartSurface*, 2>& surfaces,
-                const std::array<std::string, 2>& names,
-                const std::function<bool(double)>& fits_bore) {
-  fillet = searched(surfaces, names, fillet.radius, fits_bore,
+                const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  fillet = searched(surfaces, names, fillet.radius, walls,
                     [&](const auto& pipes) { return Search(pipes, fillet).with_loops(); });
 }
 
 void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& surfaces,
-           const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore) {
-  searched(surfaces, names, fillet.radius, fits_bore,
+           const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  searched(surfaces, names, fillet.radius, walls,
            [&](const auto& pipes) { Search(pipes, fillet).prove(fillet); });
 }
 
 std::optional<std::string> fillet_fault(const std::array<const PartSurface*, 2>& surfaces,
                                         const std::array<std::string, 2>& names, double radius) {
-  return fault_of(pipes_of(surfaces, names), radius);
+  return fault_of(pipes_of(surfaces, names, {}), radius);
 }
 
 Fillet cope_between(const std::array<const PartSurface*, 2>& surfaces,
-                    const std::array<std::string, 2>& names) {
-  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
+                    const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names, walls);
   try {
     return Search(pipes, 0).run();
   } catch (const Error& error) {

@@ -10,30 +10,35 @@
 
 namespace dupin::assembly {
 
+/// What a document says of two pipes beside their outer surfaces.
+struct PipeWalls {
+  std::array<double, 2> walls{};    ///< 0 of a pipe without a bore
+  std::array<double, 2> outward{};  ///< by how much the outer radius is more than what it says
+};
+
 /// The fillet of a ball of this radius between two straight pipes or cones of circular sections:
 /// which of the ways round their crossing lie on both, and which ends the other one buries.
 ///
 /// Throws Error{infeasible_blend} that says why there is none and, where a smaller ball would do,
-/// the largest radius that would (`largest_radius_below`), of which `fits_bore` says that they
-/// leave room for walls, too; Error{invalid_argument} for other surfaces.
+/// the largest radius that would (`largest_radius_below`), if any with a fillet of the bore, too;
+/// Error{invalid_argument} for other surfaces. Pipes' radii are said as the document has them.
 [[nodiscard]] Fillet fillet_between(const std::array<const PartSurface*, 2>& pipes,
                                     const std::array<std::string, 2>& names, double radius,
-                                    const std::function<bool(double)>& fits_bore = {});
+                                    const PipeWalls& walls = {});
 
 /// The same, but all that takes time is left to `find_loops` and then `prove`: only which ends it
 /// buries is known.
 [[nodiscard]] Fillet fillet_without_loops(const std::array<const PartSurface*, 2>& pipes,
                                           const std::array<std::string, 2>& names, double radius,
-                                          const std::function<bool(double)>& fits_bore = {});
+                                          const PipeWalls& walls = {});
 
 /// Where the ball rolls. Throws as `fillet_between` does.
 void find_loops(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
-                const std::array<std::string, 2>& names,
-                const std::function<bool(double)>& fits_bore);
+                const std::array<std::string, 2>& names, const PipeWalls& walls);
 
 /// That it does not fold: its `regularity`. Throws as `fillet_between` does.
 void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
-           const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore);
+           const std::array<std::string, 2>& names, const PipeWalls& walls);
 
 /// Why there is no such fillet; none where there is one. Throws for other surfaces as it does.
 [[nodiscard]] std::optional<std::string> fillet_fault(
@@ -51,6 +56,7 @@ void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
 /// Throws Error{infeasible_blend} that says why there are none within their lengths, or why they do
 /// not bound both faces; Error{invalid_argument} for other surfaces.
 [[nodiscard]] Fillet cope_between(const std::array<const PartSurface*, 2>& pipes,
-                                  const std::array<std::string, 2>& names);
+                                  const std::array<std::string, 2>& names,
+                                  const PipeWalls& walls = {});
 
 }  // namespace dupin::assembly

@@ -1,6 +1,9 @@
+#include <array>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <regex>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -250,6 +253,85 @@ TEST(FilletPart, names_the_largest_radius_that_ends_inside) {
   }
 }
 
+// Nor are outer radii what a document with inner ones says.
+TEST(FilletPart, names_radii_as_the_document_has_them) {
+  for (const WallSide side : {WallSide::outwards, WallSide::centred}) {
+    const auto with = [&](double radius) {
+      Assembly document = assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                                    pipe("branch", {0, 0, 1}, {0, 15, 1}, radius),
+                                    fillet("f", "run", "branch", .1)});
+      document.wall = 0.5;
+      document.wall_side = side;
+      return refusal(document);
+    };
+    const std::string why = with(3.9375), named = "there it lies inside with a radius of ";
+    const std::size_t at = why.find(named), room_at = why.find("thicker than a radius of 3 ends");
+    ASSERT_NE(at, std::string::npos) << why;
+    EXPECT_NE(room_at, std::string::npos) << why;
+    EXPECT_EQ(with(std::stod(why.substr(at + named.size()))), "");
+  }
+}
+
+// The branch ends in the run, whose own end is not meant to lie in the branch: what is missing is
+// length.
+TEST(FilletPart, says_how_much_longer_pipes_would_do) {
+  struct Row {
+    double run_radius, branch_radius, ball;
+    Vec3 branch_from, branch_way;
+    std::optional<double> wall = {};
+  };
+  const Row rows[]{{40, 27.5, 3.77, {17.57, -5.98, -53.79}, {-30.32, -9.25, 134.8}},
+                   {40, 27.5, 3.77, {17.57, -5.98, -53.79}, {-30.32, -9.25, 134.8}, 3.17},
+                   {16.72, 27.5, 3.77, {17.57, -5.98, -53.79}, {-30.32, -9.25, 134.8}},
+                   {20, 10, 2, {10, 0, 0}, {-40, 0, 30}},
+                   {20, 10, 2, {10, 0, 0}, {-20, 0, 15}}};
+  int told = 0;
+  for (const Row& row : rows) {
+    const Vec3 way =
+        row.branch_way == Vec3(-30.32, -9.25, 134.8) ? Vec3(40.39, -13.75, -123.6) : Vec3(60, 0, 0);
+    std::map<std::string, std::array<double, 2>> more;
+    double ball = row.ball;
+    const auto refused = [&] {
+      const auto longer = [&](const std::string& name, const Vec3& from, const Vec3& by,
+                              double radius) {
+        const Vec3 along = by.normalized();
+        return pipe(name, from - more[name][0] * along, from + by + more[name][1] * along, radius);
+      };
+      Assembly document = assembly({longer("run", Vec3::Zero(), way, row.run_radius),
+                                    longer("b", row.branch_from, row.branch_way, row.branch_radius),
+                                    fillet("f", "run", "b", ball)});
+      document.wall = row.wall;
+      return refusal(document);
+    };
+    const std::string why = refused();
+    EXPECT_THAT(why, testing::Not(testing::HasSubstr("only in part")));
+    EXPECT_THAT(why, testing::Not(testing::HasSubstr("e-1")));
+    static const std::regex kLonger(R"((?:'(\w+)' longer )?by ([0-9.]+) at its (start|end))");
+    std::string name;
+    for (std::sregex_iterator it(why.begin(), why.end(), kLonger), last; it != last; ++it) {
+      name = (*it)[1].matched ? (*it)[1].str() : name;
+      more[name].at((*it)[3] == "start" ? 0 : 1) = std::stod((*it)[2]);
+    }
+    std::smatch radius;
+    if (std::regex_search(why, radius, std::regex("a ball of radius ([0-9.]+) would fit"))) {
+      ball = std::stod(radius[1]);
+    }
+    told += more.empty() ? 0 : 1;
+    EXPECT_EQ(more.empty() ? "" : refused(), "") << why;
+  }
+  EXPECT_GE(told, 3);
+}
+
+// What is thicker than the other pipe does not end in it, wherever it is.
+TEST(FilletPart, says_which_pipe_is_thicker_where_axes_meet) {
+  const std::string why = refusal(
+      assembly({pipe("thin", {-90, 0, 0}, {90, 0, 0}, 27.5),
+                pipe("thick", {1e-14, 0, 0}, {10, 0, 99}, 40), fillet("f", "thin", "thick", 1)}));
+  EXPECT_THAT(why, testing::HasSubstr("it is thicker than 'thin', which may end in it or go on "
+                                      "through it"));
+  EXPECT_THAT(why, testing::Not(testing::HasSubstr("its axis is")));
+}
+
 TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
   Assembly document = assembly({pipe("run", {-100, 0, 0}, {100, 0, 0}, 10),
                                 pipe("b", {0, 0, 0}, {90, 0, 45}, 10), fillet("f", "run", "b", 9)});
@@ -257,6 +339,19 @@ TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
   const std::string why = refusal(document);
   EXPECT_THAT(why, testing::HasSubstr("the largest ball that fits has a radius of "));
   EXPECT_THAT(why, testing::HasSubstr("with these walls neither it nor a smaller one fits inside"));
+  const auto number_after = [&](const std::string& text) {
+    const std::size_t at = why.find(text);
+    return at == std::string::npos ? 0 : std::stod(why.substr(at + text.size()));
+  };
+  std::get<FilletBetween>(document.parts[2].shape).radius = number_after("fits has a radius of ");
+  document.insulation = 1;
+  EXPECT_EQ(build(document, {.tolerance = 0.5, .region = Region::insulation}).solid.components(),
+            1);
+  document.wall = number_after(", a wall of ");
+  if (why.find("; with one of ") != std::string::npos) {
+    std::get<FilletBetween>(document.parts[2].shape).radius = number_after("; with one of ");
+  }
+  EXPECT_EQ(build(document, {.tolerance = 0.5}).solid.components(), 1);
 }
 
 // The named radius builds, with the walls' bore, and 1 % more does not.

@@ -1,3 +1,4 @@
+#include "assembly/bore.h"
 #include "assembly/fillet_part.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
@@ -17,7 +18,8 @@ struct PartRules<"cope"> {
     if (cope.end.part == cope.to) {
       fail(context, "to", "an end is cut to fit another part");
     }
-    Fillet result = cope_between(surfaces, {cope.end.part, cope.to});
+    const std::array<std::string, 2> names{cope.end.part, cope.to};
+    Fillet result = cope_between(surfaces, names, pipe_walls(context.assembly, names));
     if (!result.buried[0].at(at(cope.end.end))) {
       fail(context, "end",
            "'" + to_string(cope.end) + "' does not lie inside '" + cope.to +

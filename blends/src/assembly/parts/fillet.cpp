@@ -1,5 +1,4 @@
 #include <array>
-#include <functional>
 
 #include "assembly/bore.h"
 #include "assembly/fillet_part.h"
@@ -7,15 +6,6 @@
 #include "assembly/parts/part_rules.h"
 
 namespace dupin::assembly {
-
-namespace {
-
-std::function<bool(double)> fits_bore(const Assembly& assembly, const FilletBetween& fillet,
-                                      const std::array<const PartSurface*, 2>& surfaces) {
-  return [&](double tried) { return bore_takes(assembly, surfaces, fillet.between, tried); };
-}
-
-}  // namespace
 
 template <>
 struct PartRules<"fillet"> {
@@ -32,17 +22,17 @@ struct PartRules<"fillet"> {
       fail(context, "between", "a fillet is between two different parts");
     }
     return fillet_without_loops(surfaces, fillet.between, fillet.radius,
-                                fits_bore(context.assembly, fillet, surfaces));
+                                pipe_walls(context.assembly, fillet.between));
   }
 
   static void find_loops(const Assembly& assembly, const FilletBetween& fillet,
                          const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
-    assembly::find_loops(found, surfaces, fillet.between, fits_bore(assembly, fillet, surfaces));
+    assembly::find_loops(found, surfaces, fillet.between, pipe_walls(assembly, fillet.between));
   }
 
   static void prove(const Assembly& assembly, const FilletBetween& fillet,
                     const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
-    assembly::prove(found, surfaces, fillet.between, fits_bore(assembly, fillet, surfaces));
+    assembly::prove(found, surfaces, fillet.between, pipe_walls(assembly, fillet.between));
   }
 };
 template const PartKind& part_kind<"fillet">();
