@@ -194,7 +194,7 @@ class Borer {
   [[nodiscard]] PartSurface insulation_shape(const ResolvedPart& part, double thickness) const {
     return insulated<PartSurface>(thickness, [&](double tried) {
       PartSurface shape = narrowed_shape(part, -tried);
-      (void)margins(shape, false);
+      (void)margins(shape, false, part.kind);
       return shape;
     });
   }

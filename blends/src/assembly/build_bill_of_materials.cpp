@@ -34,7 +34,7 @@ class Biller {
  public:
   explicit Biller(const Assembly& assembly) : assembly_(assembly), outer_(resolve(assembly)) {
     for (const ResolvedPart& part : outer_.parts) {
-      within(part.index, [&] { (void)assembly::margins(part.shape, false); });
+      within(part.index, [&] { (void)assembly::margins(part.shape, false, part.kind); });
     }
     walls_ = assembly::walls_of(assembly_, outer_, Region::metal);
     outer_ = assembly::filled(std::move(outer_));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -12,13 +13,21 @@
 namespace dupin::assembly {
 namespace {
 
+// What parts of the kind have, by which they may bend less for their radius.
+std::string what_would_do(std::string_view kind) {
+  return kind == "elbow"            ? "; use a smaller radius or a larger bend radius"
+         : kind == "two_cone_blend" ? "; smaller radii, another reach or other weights may do"
+         : kind == "spline"         ? "; smaller radii or points further apart may do"
+         : kind.ends_with("_blend") ? "; smaller radii or other lengths k and l may do"
+                                    : "; smaller radii may do";
+}
+
 // Where the spine may stop there is no lower bound.
-[[noreturn]] void refuse(const surfaces::MarginBounds& bounds) {
-  constexpr const char* kHelp = "; use a smaller radius or a larger bend radius";
+[[noreturn]] void refuse(const surfaces::MarginBounds& bounds, std::string_view kind) {
   if (bounds.upper && *bounds.upper <= 0) {
     throw Error(Errc::irregular_surface, "the surface folds: the margin 1 - kappa R is at most " +
                                              decimal_at_most(*bounds.upper) +
-                                             " where it must be positive" + kHelp);
+                                             " where it must be positive" + what_would_do(kind));
   }
   if (!std::isfinite(bounds.lower)) {
     throw Error(
@@ -30,7 +39,8 @@ namespace {
               "whether the surface folds is undecided: of the margin 1 - kappa R, which must be "
               "positive, is proved only that it is at least " +
                   decimal_at_least(bounds.lower) +
-                  (bounds.upper ? " and at most " + decimal_at_most(*bounds.upper) : "") + kHelp);
+                  (bounds.upper ? " and at most " + decimal_at_most(*bounds.upper) : "") +
+                  what_would_do(kind));
 }
 
 std::optional<double> tangency(const Chain& chain, End end) {
@@ -40,6 +50,7 @@ std::optional<double> tangency(const Chain& chain, End end) {
 
 struct Margins {
   bool with_tangency;
+  std::string_view kind;
 
   PartMargins operator()(const Sphere&) const { return {}; }
 
@@ -49,7 +60,7 @@ struct Margins {
       const surfaces::MarginBounds here =
           std::visit([](const auto& p) { return surfaces::margin_bounds(p); }, piece);
       if (!here.regular) {
-        refuse(here);
+        refuse(here, kind);
       }
       const bool is_first = &piece == &chain.pieces.front();
       result.margin_lower = is_first ? here.lower : std::min(*result.margin_lower, here.lower);
@@ -65,8 +76,8 @@ struct Margins {
 
 }  // namespace
 
-PartMargins margins(const PartSurface& surface, bool with_tangency) {
-  return std::visit(Margins{with_tangency}, surface);
+PartMargins margins(const PartSurface& surface, bool with_tangency, std::string_view kind) {
+  return std::visit(Margins{with_tangency, kind}, surface);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/error.h"
@@ -15,8 +16,9 @@ struct PartMargins {
 
 /// The least margin of all pieces and, of open chains that are asked to be tangent to their
 /// neighbours, how far they are from it. Throws Error{irregular_surface} for a surface that is not
-/// proven to be free of folds.
-[[nodiscard]] PartMargins margins(const PartSurface& surface, bool with_tangency);
+/// proven to be free of folds, with what parts of this kind (ResolvedPart::kind) can do about it.
+[[nodiscard]] PartMargins margins(const PartSurface& surface, bool with_tangency,
+                                  std::string_view kind);
 
 /// Throws Error{irregular_surface} for a part whose mesh is no solid, for the reason given: what
 /// that says of the surface.

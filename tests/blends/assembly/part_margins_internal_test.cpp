@@ -2,11 +2,13 @@
 #include <numbers>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "assembly/part_margins.h"
+#include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
@@ -27,7 +29,7 @@ RingedSurface bend(double from, double radius, double bend_radius = 3) {
 
 TEST(PartMargins, of_a_torus_is_one_less_the_ratio_of_its_radii) {
   for (const double radius : {0.5, 1.0, 2.99}) {
-    const PartMargins proven = margins(bend(0, radius), false);
+    const PartMargins proven = margins(bend(0, radius), false, "elbow");
     ASSERT_TRUE(proven.margin_lower && proven.margin_upper);
     const double exact = 1 - radius / 3;
     EXPECT_LE(*proven.margin_lower, exact);
@@ -42,21 +44,21 @@ TEST(PartMargins, of_a_chain_is_that_of_its_tightest_piece) {
   for (const std::size_t tight : {0U, 1U, 2U}) {
     std::vector<RingedSurface> pieces = {bend(0, 1), bend(1, 1), bend(2, 1)};
     pieces[tight] = bend(static_cast<double>(tight), 2);
-    const PartMargins proven = margins(Chain(pieces), false);
+    const PartMargins proven = margins(Chain(pieces), false, "spline");
     EXPECT_NEAR(proven.margin_lower.value(), 1.0 / 3, 1e-6);
     EXPECT_NEAR(proven.margin_upper.value(), 1.0 / 3, 1e-6);
   }
 }
 
 TEST(PartMargins, of_a_sphere_are_none) {
-  const PartMargins none = margins(Sphere{Vec3::Zero(), 1}, true);
+  const PartMargins none = margins(Sphere{Vec3::Zero(), 1}, true, "sphere");
   EXPECT_FALSE(none.margin_lower || none.margin_upper || none.start_tangency || none.end_tangency);
 }
 
 TEST(PartMargins, refuses_folds) {
   const auto refusal = [](const PartSurface& surface) {
     try {
-      (void)margins(surface, false);
+      (void)margins(surface, false, "elbow");
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::irregular_surface);
       return std::string(error.what());
@@ -80,10 +82,50 @@ TEST(PartMargins, refuses_folds) {
             "round on the spot; choose other ends or points");
 }
 
+// Only an elbow has a bend radius.
+TEST(PartMargins, refuses_folds_with_what_parts_of_the_kind_have) {
+  const auto remedy = [](std::string_view kind) {
+    try {
+      (void)margins(bend(0, 4.5), false, kind);
+    } catch (const Error& error) {
+      return error.message().substr(error.message().rfind("; "));
+    }
+    return std::string();
+  };
+  EXPECT_EQ(remedy("two_cone_blend"), "; smaller radii, another reach or other weights may do");
+  EXPECT_EQ(remedy("cyclic_blend"), "; smaller radii or other lengths k and l may do");
+  EXPECT_EQ(remedy("ringed_blend"), "; smaller radii or other lengths k and l may do");
+  EXPECT_EQ(remedy("spline"), "; smaller radii or points further apart may do");
+  EXPECT_EQ(remedy("cyclide_chain"), "; smaller radii may do");
+}
+
+// As it is told, with another reach or radii, it builds.
+TEST(PartMargins, of_a_two_cone_blend_are_those_that_its_reach_decides) {
+  const auto refusal = [](double reach, double radius) {
+    const Assembly document{
+        "d.json",
+        Unit::millimetre,
+        0.1,
+        {},
+        {{"a", PipeBetween{{-20, 0, 0}, {0, 0, 0}, radius}},
+         {"b", PipeBetween{{8, 8, 0}, {8, 28, 0}, radius}},
+         {"t", TwoConeBlendBetween{{"a", End::end}, {"b", End::start}, {reach, reach}}}}};
+    try {
+      (void)build(document);
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(refusal(7.5, 3).ends_with("; smaller radii, another reach or other weights may do"));
+  EXPECT_EQ(refusal(4, 3), "");
+  EXPECT_EQ(refusal(7.5, 1), "");
+}
+
 // In doubles the two are the same: no bound is positive, none is negative.
 TEST(PartMargins, call_a_fold_undecided_that_is_not_proved) {
   try {
-    (void)margins(bend(0, 3), false);
+    (void)margins(bend(0, 3), false, "elbow");
     FAIL();
   } catch (const Error& error) {
     EXPECT_TRUE(std::regex_search(
@@ -100,7 +142,7 @@ TEST(PartMargins, of_bends_barely_wider_than_the_pipe_are_proved) {
                               {Vec3(0, 1, 0), Vec3(-1, 0, 0), radius},
                               ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(1, 0, 0), std::acos(0.0)},
                               ConstantRadius{radius}};
-    EXPECT_NO_THROW((void)margins(torus, false)) << 1 - radius;
+    EXPECT_NO_THROW((void)margins(torus, false, "elbow")) << 1 - radius;
   }
 }
 
@@ -137,7 +179,7 @@ TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
 }
 
 TEST(PartMargins, know_how_far_open_chains_are_from_tangent) {
-  const PartMargins bent = margins(bend(0, 1), true);
+  const PartMargins bent = margins(bend(0, 1), true, "elbow");
   EXPECT_LT(bent.start_tangency.value(), 1e-14);
   EXPECT_LT(bent.end_tangency.value(), 1e-14);
   // A cylinder between rings that stand for cones of a half angle of 45 degrees and of 0.
@@ -145,11 +187,11 @@ TEST(PartMargins, know_how_far_open_chains_are_from_tangent) {
                              {Vec3(0, 0, 4), Vec3(0, 0, 1), 1},
                              LineSpine{Vec3::Zero(), Vec3(0, 0, 4)},
                              ConstantRadius{1}};
-  const PartMargins off = margins(kinked, true);
+  const PartMargins off = margins(kinked, true, "spline");
   EXPECT_NEAR(off.start_tangency.value(), std::atan(1.0), 1e-9);
   EXPECT_LT(off.end_tangency.value(), 1e-14);
-  const PartMargins closed =
-      margins(Chain(std::vector{bend(0, 1), bend(1, 1), bend(2, 1), bend(3, 1)}, true), true);
+  const PartMargins closed = margins(
+      Chain(std::vector{bend(0, 1), bend(1, 1), bend(2, 1), bend(3, 1)}, true), true, "spline");
   EXPECT_TRUE(closed.margin_lower);
   EXPECT_FALSE(closed.start_tangency || closed.end_tangency);
 }

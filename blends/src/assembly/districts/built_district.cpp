@@ -119,7 +119,7 @@ class Builder {
     PartReport result;
     result.name = part.name;
     result.kind = part.kind;
-    const assembly::PartMargins proven = assembly::margins(part.shape, part.is_tangent);
+    const assembly::PartMargins proven = assembly::margins(part.shape, part.is_tangent, part.kind);
     result.margin_lower = proven.margin_lower;
     result.margin_upper = proven.margin_upper;
     result.start_tangency = proven.start_tangency;
