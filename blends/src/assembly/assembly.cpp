@@ -17,7 +17,7 @@ std::string document_place(const Assembly& assembly, std::uint32_t part, std::st
   const bool has_own = part < assembly.parts.size() && !assembly.parts[part].pointer.empty();
   std::string place = document_place(
       assembly, has_own ? assembly.parts[part].pointer : "/parts/" + std::to_string(part));
-  if (!key.empty()) {
+  if (!key.empty() && !assembly.is_of_network) {
     const Part& own = assembly.parts.at(part);
     place +=
         "/" + (own.key.empty() ? std::string(kind(own.shape)) : own.key) + "/" + std::string(key);
@@ -26,8 +26,9 @@ std::string document_place(const Assembly& assembly, std::uint32_t part, std::st
 }
 
 std::string document_place(const Assembly& assembly, std::string_view pointer) {
-  return assembly.source.empty() ? std::string(pointer)
-                                 : assembly.source + "#" + std::string(pointer);
+  return assembly.source.empty()  ? std::string(pointer)
+         : assembly.is_of_network ? assembly.source
+                                  : assembly.source + "#" + std::string(pointer);
 }
 
 }  // namespace dupin

@@ -15,19 +15,21 @@ namespace {
 
 constexpr int kMostRounds = 50;
 
-// The node or edge of the part that was refused; an arm is its node's. Empty if nothing is to be
-// replaced.
-std::string refused_part(const PipeNetwork& network, const Error& error) {
-  const bool is_of_part =
-      error.code() == Errc::irregular_surface || error.code() == Errc::infeasible_blend ||
-      error.code() == Errc::self_intersecting || error.code() == Errc::invalid_argument;
+// Whether replacing a part may help.
+bool is_of_part(Errc code) {
+  return code == Errc::irregular_surface || code == Errc::infeasible_blend ||
+         code == Errc::self_intersecting || code == Errc::invalid_argument;
+}
+
+// The node or edge of the part that an error names; an arm is its node's. Empty if none.
+std::string named_part(const PipeNetwork& network, const Error& error) {
   std::string name = error.part();
   if (name.ends_with(assembly::kBoreSuffix)) {
     name.resize(name.size() - assembly::kBoreSuffix.size());
   }
   name = name.substr(0, name.find('.'));
   const bool is_known = std::ranges::count(network.assembly.parts, name, &Part::name) > 0;
-  return is_of_part && is_known ? name : std::string();
+  return is_known ? name : std::string();
 }
 
 // What may be done about a part, one after the other: the edge is left out or the node becomes a
@@ -58,9 +60,10 @@ std::size_t line_of(const PipeGraph& graph, const std::string& part) {
 Error at_line(const Error& error, const PipeGraph& graph, const std::string& part,
               bool keep_going) {
   const std::size_t line = part.empty() ? 0 : line_of(graph, part);
+  const bool is_left_out = !keep_going && is_of_part(error.code());
   return line == 0 ? error
                    : Error(error.code(),
-                           error.message() + (keep_going ? "" : "; --keep-going does without it"),
+                           error.message() + (is_left_out ? "; --keep-going does without it" : ""),
                            error.part(), graph.source + ":" + std::to_string(line));
 }
 
@@ -82,9 +85,9 @@ Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork
     try {
       return build(network.assembly, build_options);
     } catch (const Error& error) {
-      const std::string part = refused_part(network, error);
-      if (!options.keep_going || part.empty() || round == kMostRounds ||
-          !refuse(part, error.message(), fewer.refused)) {
+      const std::string part = named_part(network, error);
+      if (!options.keep_going || part.empty() || !is_of_part(error.code()) ||
+          round == kMostRounds || !refuse(part, error.message(), fewer.refused)) {
         throw at_line(error, graph, part, options.keep_going);
       }
     }

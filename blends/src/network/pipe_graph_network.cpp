@@ -168,6 +168,7 @@ PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options)
   CleanGraph clean = network::cleaned(graph, options);
   PipeNetwork result;
   result.assembly.source = graph.source;
+  result.assembly.is_of_network = true;
   result.assembly.unit = options.unit;
   const auto least = std::ranges::min_element(clean.nodes, {}, &Ball::radius);
   result.assembly.tolerance =

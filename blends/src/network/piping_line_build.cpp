@@ -11,17 +11,20 @@ namespace {
 
 constexpr int kMostRounds = 50;
 
-// The component of the part that was refused; none if leaving it out would not help.
-std::optional<std::string> refused_component(const PipingNetwork& network, const Error& error) {
-  const bool is_of_part =
-      error.code() == Errc::irregular_surface || error.code() == Errc::infeasible_blend ||
-      error.code() == Errc::self_intersecting || error.code() == Errc::invalid_argument;
+// Whether leaving out a part may help.
+bool is_of_part(Errc code) {
+  return code == Errc::irregular_surface || code == Errc::infeasible_blend ||
+         code == Errc::self_intersecting || code == Errc::invalid_argument;
+}
+
+// The component of the part that an error names.
+std::optional<std::string> named_component(const PipingNetwork& network, const Error& error) {
   std::string name = error.part();
   if (name.ends_with(assembly::kBoreSuffix)) {
     name.resize(name.size() - assembly::kBoreSuffix.size());
   }
   const auto part = std::ranges::find(network.assembly.parts, name, &Part::name);
-  if (!is_of_part || part == network.assembly.parts.end()) {
+  if (part == network.assembly.parts.end()) {
     return std::nullopt;
   }
   return network.origins[std::size_t(part - network.assembly.parts.begin())];
@@ -36,7 +39,8 @@ Error at_line(const Error& error, const PipingLine& line, const std::optional<st
   if (!name || component == line.components.end()) {
     return error;
   }
-  return Error(error.code(), error.message() + (keep_going ? "" : "; --keep-going leaves it out"),
+  const bool is_left_out = !keep_going && is_of_part(error.code());
+  return Error(error.code(), error.message() + (is_left_out ? "; --keep-going leaves it out" : ""),
                error.part(), line.source + ":" + std::to_string(component->line));
 }
 
@@ -50,10 +54,10 @@ Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork&
     try {
       return build(network.assembly, build_options);
     } catch (const Error& error) {
-      const auto component = refused_component(network, error);
+      const auto component = named_component(network, error);
       const bool is_chosen = options.fillet == 0 && component && component->ends_with("-fillet");
-      if ((!options.keep_going && !is_chosen) || !component || round == kMostRounds ||
-          !fewer.refused.emplace(*component, error.message()).second) {
+      if ((!options.keep_going && !is_chosen) || !component || !is_of_part(error.code()) ||
+          round == kMostRounds || !fewer.refused.emplace(*component, error.message()).second) {
         throw at_line(error, line, component, options.keep_going);
       }
     }

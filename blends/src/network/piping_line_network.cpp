@@ -140,6 +140,7 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   const std::vector<network::PortPair> missed = misfits(line, spans, options);
   result.open_ends = count_open(spans, missed);
   result.assembly.source = line.source;
+  result.assembly.is_of_network = true;
   result.assembly.tolerance = options.tolerance;
   result.assembly.wall = options.wall;
   result.assembly.wall_side = options.wall_side;

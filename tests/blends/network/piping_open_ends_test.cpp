@@ -172,7 +172,8 @@ TEST(PipingOpenEnds, the_branch_beside_an_end_is_refused_and_not_the_pipe) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.where(), "a.pcf:20");
-    EXPECT_THAT(error.message(), HasSubstr("an open end of 'c0'"));
+    EXPECT_THAT(error.message(), HasSubstr("an open end of 'c0' is cut; that end must be "
+                                           "elsewhere, or no walls be given; --keep-going"));
   }
   options.keep_going = true;
   network = line.made(options);
@@ -183,6 +184,33 @@ TEST(PipingOpenEnds, the_branch_beside_an_end_is_refused_and_not_the_pipe) {
   const Line elsewhere = olet_beside_end(-60);  // as it says
   PipingNetwork further = elsewhere.made({.wall = 4});
   EXPECT_EQ(build(elsewhere.line(), {.wall = 4}, further).solid.components(), 1);
+  PipingNetwork solid = line.made();
+  EXPECT_EQ(build(line.line(), {}, solid).solid.components(), 1);
+}
+
+// Nobody wrote a document that would have its pointers and keys.
+TEST(PipingOpenEnds, faults_of_a_line_are_at_its_lines_and_say_nothing_of_a_document) {
+  Line line;
+  line.pipe({0, 0, 0}, {200, 0, 0});
+  PipingNetwork network = line.made();
+  const auto refusal = [&](const BuildOptions& options) {
+    try {
+      (void)build(line.line(), {}, network, options);
+    } catch (const Error& error) {
+      return error.where() + ": " + error.message();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal({.region = Region::metal}),
+            "a.pcf: there is no metal region: nothing says how thick a wall is; --wall does");
+  EXPECT_EQ(refusal({.region = Region::insulation}),
+            "a.pcf: there is no insulation region: nothing says how thick insulation is; "
+            "--insulation does");
+  const std::string costly = refusal({.tolerance = 1e-7, .most_triangles = 1000});
+  EXPECT_TRUE(costly.starts_with("a.pcf:10: ")) << costly;
+  EXPECT_THAT(costly, testing::Not(HasSubstr("--keep-going")));  // which would not help
+  network.assembly.wall = 4;
+  EXPECT_EQ(build(line.line(), {}, network, {.region = Region::metal}).solid.components(), 1);
 }
 
 }  // namespace

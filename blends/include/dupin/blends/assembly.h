@@ -56,6 +56,8 @@ struct Assembly {
   std::optional<double> insulation = {};  ///< of every part that says none
   /// Other names for patches, by their own: "inlet" for "run.start".
   std::map<std::string, std::string> patches = {};
+  /// Made of a piping file or a graph: places in it are none that anybody wrote, nor are keys.
+  bool is_of_network = false;
 };
 
 /// What was done to something in a file, be it a graph or a piping line, that could not stay as it
@@ -67,7 +69,7 @@ struct SourceNote {
 };
 
 /// A place in the document, for messages: "file.json#/tolerance", or the pointer alone if the
-/// document has no name.
+/// document has no name; the file alone of what was made of a network's.
 [[nodiscard]] std::string document_place(const Assembly& assembly, std::string_view pointer);
 
 /// The place of a part, or of a key of it: "file.json#/parts/3/pipe/radius".

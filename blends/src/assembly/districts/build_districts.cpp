@@ -63,9 +63,10 @@ double margin_of(const Assembly& assembly, const BuildOptions& options) {
 [[noreturn]] void refuse_region(const Assembly& assembly, Region region, std::string_view what,
                                 std::string_view key) {
   throw Error(Errc::invalid_argument,
-              "there is no " + std::string(name(region)) +
-                  " region: neither the document nor a part says how thick " + std::string(what) +
-                  " is",
+              "there is no " + std::string(name(region)) + " region: " +
+                  (assembly.is_of_network ? "nothing" : "neither the document nor a part") +
+                  " says how thick " + std::string(what) + " is" +
+                  (assembly.is_of_network ? "; --" + std::string(key.substr(1)) + " does" : ""),
               {}, document_place(assembly, key));
 }
 

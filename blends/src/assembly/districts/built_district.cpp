@@ -222,9 +222,9 @@ class Builder {
     try {
       build_regions(walls);
     } catch (const Error& error) {
-      const bool is_about_tolerance =
-          error.code() == Errc::limit_exceeded ||
-          (error.code() == Errc::invalid_argument && error.where().ends_with("/tolerance"));
+      const bool is_about_tolerance = error.code() == Errc::limit_exceeded ||
+                                      (error.code() == Errc::invalid_argument &&
+                                       error.where() == document_place(assembly_, "/tolerance"));
       if (!is_about_tolerance || !is_finer) {
         throw;
       }
@@ -390,8 +390,9 @@ class Builder {
              "wall";
     }
     return "there is no wall where an open end of '" + std::string(bored) +
-           "' is cut; that end must be elsewhere, or '" + std::string(bored) +
-           "' without a bore (\"wall\": 0)";
+           "' is cut; that end must be elsewhere, or " +
+           (assembly_.is_of_network ? "no walls be given"
+                                    : "'" + std::string(bored) + "' without a bore (\"wall\": 0)");
   }
 
   [[nodiscard]] std::optional<std::string> end_called_as_part(std::string_view part) const {

@@ -146,6 +146,7 @@ Assembly document_of(const Assembly& assembly, const std::vector<std::uint32_t>&
   own.wall = assembly.wall;
   own.wall_side = assembly.wall_side;
   own.insulation = assembly.insulation;
+  own.is_of_network = assembly.is_of_network;
   for (const std::uint32_t index : parts) {
     own.parts.push_back(assembly.parts[index]);
     if (own.parts.back().pointer.empty()) {
