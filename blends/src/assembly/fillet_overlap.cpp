@@ -114,6 +114,8 @@ std::optional<FilletOverlap> fillet_overlap(const Assembly& assembly,
     why += largest ? "; with '" + other + "' as it is, the largest radius that fits is " +
                          decimal(*largest)
                    : "; nor does a smaller ball fit";
+  } else {  // a cope
+    why += "; without '" + fillet.name + "' the pipes are united uncut, which may do";
   }
   return FilletOverlap{later, why};
 }

@@ -69,7 +69,11 @@ TEST(FilletOverlap, says_where_no_ball_would_fit) {
               testing::HasSubstr("it overlaps 'at-a' on 'run'; nor does a smaller ball fit"));
   EXPECT_EQ(
       refused(document({15, 0, 0}, {15, 0, 45}, {"at-b", CopeOfEnd{{"b", End::start}, "run"}})),
-      "it overlaps 'at-a' on 'run'");
+      "it overlaps 'at-a' on 'run'; without 'at-b' the pipes are united uncut, which may do");
+  Assembly without =
+      document({15, 0, 0}, {15, 0, 45}, {"at-b", CopeOfEnd{{"b", End::start}, "run"}});
+  std::erase_if(without.parts, [](const Part& part) { return part.name == "at-b"; });
+  EXPECT_EQ(refused(without), "built");
 }
 
 // A branch inside another one: its own edge would be where the other has cut the run away.
@@ -81,7 +85,10 @@ TEST(FilletOverlap, is_told_of_what_lies_inside_another) {
       nested.parts[2] = pipe("b", from, to, 3);
       EXPECT_THAT(refused(nested), testing::HasSubstr("it overlaps 'at-a' on 'run'"));
       nested.parts[4] = {"at-b", CopeOfEnd{{"b", End::start}, "run"}};
-      EXPECT_EQ(refused(nested), "it overlaps 'at-a' on 'run'");
+      EXPECT_THAT(refused(nested),
+                  testing::HasSubstr("it overlaps 'at-a' on 'run'; without 'at-b' the pipes"));
+      nested.parts.pop_back();
+      EXPECT_EQ(refused(nested), "built");
     }
   }
 }
