@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <typeinfo>
 #include <utility>
 
 #include <pybind11/numpy.h>
@@ -52,6 +53,17 @@ template <class Number>
                                            : py::array_t<Number>({rows, columns}, data, owner);
   array.attr("flags").attr("writeable") = false;
   return array;
+}
+
+/// An object that __new__ has made, and no __init__, holds nothing: its use is a TypeError.
+/// pybind11 would give it memory in which nobody made a value. For this no argument may be a
+/// holder.
+template <class Value>
+void refuse_unmade(const py::class_<Value>& kind) {
+  static const std::string name = kind.attr("__name__").template cast<std::string>();
+  py::detail::get_type_info(typeid(Value))->operator_new = [](std::size_t) -> void* {
+    throw py::type_error("this " + name + " holds nothing: its __init__ was not called");
+  };
 }
 
 /// Lets other threads run while a long operation does, and lets Ctrl-C and the caller's own

@@ -132,10 +132,12 @@ std::string converted(const std::string& text, const std::string& source,
 }
 
 void bind_certificate(py::module_& module) {
-  py::class_<Certificate>(module, "Certificate",
-                          "Claims about the smooth parts of an assembly, with what is needed to "
-                          "check them again (docs/certificate_format.md).")
-      .def_property_readonly("findings", &Certificate::findings,
+  py::class_<Certificate> kind(
+      module, "Certificate",
+      "Claims about the smooth parts of an assembly, with what is needed to check them again "
+      "(docs/certificate_format.md).");
+  refuse_unmade(kind);
+  kind.def_property_readonly("findings", &Certificate::findings,
                              "How many claims are refuted or undecided.")
       .def_property_readonly("_summary", &certificate_summary_json)
       .def("to_json", &certificate_json, py::call_guard<py::gil_scoped_release>(),

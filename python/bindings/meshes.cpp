@@ -1,6 +1,5 @@
 #include <cstring>
 #include <limits>
-#include <memory>
 
 #include <pybind11/stl.h>
 
@@ -121,20 +120,19 @@ std::vector<std::uint32_t> labels_of(const py::object& object) {
   return labels;
 }
 
-using MeshPointer = std::shared_ptr<TriMesh>;
-
 std::string mesh_text(const TriMesh& mesh) {
   return "Mesh(" + std::to_string(mesh.points.size()) + " points, " +
          std::to_string(mesh.triangles.size()) + " triangles)";
 }
 
 void bind_mesh(py::module_& module) {
-  py::class_<TriMesh, MeshPointer>(module, "Mesh",
-                                   "Triangles as NumPy arrays, with no promise of any kind: see "
-                                   "`check` and `Solid`. Unpacks as `points, triangles = mesh`.")
-      .def(py::init([](const py::object& points, const py::object& triangles,
+  py::class_<TriMesh> mesh(module, "Mesh",
+                           "Triangles as NumPy arrays, with no promise of any kind: see "
+                           "`check` and `Solid`. Unpacks as `points, triangles = mesh`.");
+  refuse_unmade(mesh);
+  mesh.def(py::init([](const py::object& points, const py::object& triangles,
                        const py::object& labels, std::vector<std::string> names) {
-             return std::make_shared<TriMesh>(mesh_of(points, triangles, labels, std::move(names)));
+             return mesh_of(points, triangles, labels, std::move(names));
            }),
            py::arg("points"), py::arg("triangles"), py::arg("labels") = py::none(),
            py::arg("names") = std::vector<std::string>(),
@@ -142,24 +140,26 @@ void bind_mesh(py::module_& module) {
            "triangle an index into the names.")
       .def_property_readonly(
           "points",
-          [](const MeshPointer& self) {
-            return view(self->points.empty() ? nullptr : self->points.front().data(),
-                        py::ssize_t(self->points.size()), 3, py::cast(self));
+          [](const py::object& self) {
+            const auto& points = self.cast<const TriMesh&>().points;
+            return view(points.empty() ? nullptr : points.front().data(),
+                        py::ssize_t(points.size()), 3, self);
           },
           "(n, 3) of float64: a view, not to be written.")
       .def_property_readonly(
           "triangles",
-          [](const MeshPointer& self) {
-            return view(self->triangles.empty() ? nullptr : self->triangles.front().data(),
-                        py::ssize_t(self->triangles.size()), 3, py::cast(self));
+          [](const py::object& self) {
+            const auto& triangles = self.cast<const TriMesh&>().triangles;
+            return view(triangles.empty() ? nullptr : triangles.front().data(),
+                        py::ssize_t(triangles.size()), 3, self);
           },
           "(m, 3) of uint32: a view, not to be written.")
       .def_property_readonly(
           "labels",
-          [](const MeshPointer& self) -> py::object {
-            return self->labels.empty() ? py::object(py::none())
-                                        : view(self->labels.data(),
-                                               py::ssize_t(self->labels.size()), 1, py::cast(self));
+          [](const py::object& self) -> py::object {
+            const auto& labels = self.cast<const TriMesh&>().labels;
+            return labels.empty() ? py::object(py::none())
+                                  : view(labels.data(), py::ssize_t(labels.size()), 1, self);
           },
           "(m,) of uint32, indices into names; None if nothing is labelled.")
       .def_property_readonly(
@@ -171,12 +171,12 @@ void bind_mesh(py::module_& module) {
       .def("__repr__", &mesh_text);
 }
 
-std::string written(const MeshPointer& mesh, const std::string& path, const std::string& format,
+std::string written(const TriMesh& mesh, const std::string& path, const std::string& format,
                     const std::string& unit) {
   return unlocked([&] {
     const MeshFormat& to = format_named(format, path);
     require_unit(unit);
-    write_mesh(path, *mesh, to, {unit, {}});
+    write_mesh(path, mesh, to, {unit, {}});
     return to_json(check(to.read(read_file(path), path)));
   });
 }
@@ -232,21 +232,20 @@ void bind_meshes(py::module_& module) {
   }
   module.attr("mesh_formats") = py::tuple(formats);
   module.def("read_mesh", [](const std::string& path) {
-    return unlocked(
-        [&] { return std::make_shared<TriMesh>(read_mesh(std::filesystem::path(path))); });
+    return unlocked([&] { return read_mesh(std::filesystem::path(path)); });
   });
   module.def("mesh_unit", [](const std::string& path) {
     return unlocked([&] { return mesh_unit(read_file(path), path); });
   });
   module.def("write_mesh", &written);
-  module.def("check", [](const MeshPointer& mesh, std::size_t limit, bool self_intersections) {
+  module.def("check", [](const TriMesh& mesh, std::size_t limit, bool self_intersections) {
     return unlocked([&] {
-      return to_json(check(*mesh, {.limit = limit, .self_intersections = self_intersections}));
+      return to_json(check(mesh, {.limit = limit, .self_intersections = self_intersections}));
     });
   });
-  module.def("mesh_gaps", [](const MeshPointer& a, const MeshPointer& b, double connect) {
+  module.def("mesh_gaps", [](const TriMesh& a, const TriMesh& b, double connect) {
     return unlocked([&] {
-      return to_json(MeshGapSummary{{}, {}, connect, measure_gaps(*a, *b, {.connect = connect})});
+      return to_json(MeshGapSummary{{}, {}, connect, measure_gaps(a, b, {.connect = connect})});
     });
   });
 }

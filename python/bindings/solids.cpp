@@ -1,4 +1,3 @@
-#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -19,8 +18,6 @@
 
 namespace dupin::python {
 namespace {
-
-using MeshPointer = std::shared_ptr<TriMesh>;
 
 // In hexadecimal digits, of which Python reads any number; decimal ones are at most 4300.
 py::object fraction(const mpq_class& number) {
@@ -233,9 +230,7 @@ void bind_operations(Class& solid) {
           "simplify",
           [](const Solid& self, double tolerance, const py::object& progress) {
             Interruptible work(progress);
-            return work.run([&] {
-              return std::make_shared<TriMesh>(simplify(self, tolerance, work.progress()).mesh);
-            });
+            return work.run([&] { return simplify(self, tolerance, work.progress()).mesh; });
           },
           py::arg("tolerance"), py::kw_only(), py::arg("progress") = py::none(),
           "A Mesh with fewer triangles within a distance, still a solid, labels' borders kept.");
@@ -258,7 +253,7 @@ void bind_output(Class& solid) {
               Rounded rounded = to_mesh(
                   self, coordinates == "binary64" ? Coordinates::binary64 : Coordinates::binary32,
                   rounding);
-              return std::make_shared<TriMesh>(std::move(rounded).mesh());
+              return std::move(rounded).mesh();
             });
           },
           py::kw_only(), py::arg("coordinates") = "binary64", py::arg("tolerance") = 0.0,
@@ -302,9 +297,9 @@ void bind_combinations(py::module_& module) {
         const BooleanOptions options{contact_policy(contacts), work.progress()};
         return work.run([&] { return evaluate(Expression::parse(expression), operands, options); });
       });
-  module.def("repair", [](const MeshPointer& mesh, const py::object& progress) {
+  module.def("repair", [](const TriMesh& mesh, const py::object& progress) {
     Interruptible work(progress);
-    Repaired repaired = work.run([&] { return repair(*mesh, work.progress()); });
+    Repaired repaired = work.run([&] { return repair(mesh, work.progress()); });
     using namespace py::literals;
     const RepairReport& report = repaired.report;
     return py::make_tuple(repaired.solid, py::dict("merged_points"_a = report.merged_points,
@@ -353,10 +348,10 @@ void bind_solids(py::module_& module) {
       module, "Solid",
       "A solid with exact coordinates: closed, 2-manifold, free of self-intersection. Immutable; "
       "`a + b` unites, `a - b` subtracts, `a & b` intersects, all exactly.");
+  refuse_unmade(solid);
   solid.def(py::init<>(), "The empty set.")
-      .def_static(
-          "_from",
-          [](const MeshPointer& mesh) { return unlocked([&] { return Solid::from(*mesh); }); })
+      .def_static("_from",
+                  [](const TriMesh& mesh) { return unlocked([&] { return Solid::from(mesh); }); })
       .def("__repr__", &solid_text);
   bind_measures(solid);
   bind_arrays(solid);

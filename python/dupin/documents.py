@@ -11,7 +11,7 @@ from . import _core
 from ._core import Certificate, Mesh, Solid
 from .assembly import Assembly, plain
 from .errors import InvalidArgument
-from .meshes import Progress
+from .meshes import Progress, same
 
 #: An Assembly, a dict, or the name of a file: JSON, a piping file (.pcf) or a graph (.swc, .graph).
 Document = Union[Assembly, Mapping, str, os.PathLike]
@@ -166,3 +166,4 @@ def _summary(self: Certificate) -> dict[str, Any]:
 
 Certificate.write = _write_certificate
 Certificate.summary = property(_summary)
+Certificate.__copy__ = Certificate.__deepcopy__ = same

@@ -235,7 +235,7 @@ def _read(file: str | os.PathLike[str]) -> Solid:
     return as_solid(read_mesh(file))
 
 
-def _same(self: Any, memo: Any = None) -> Any:
+def same(self: Any, memo: Any = None) -> Any:
     """What cannot change is its own copy."""
     return self
 
@@ -250,4 +250,4 @@ Solid.write = _write
 Solid.read = staticmethod(_read)
 for _kind in (Solid, Mesh):
     _kind.to_trimesh, _kind.to_meshio, _kind.to_pyvista = to_trimesh, to_meshio, to_pyvista
-    _kind.__copy__ = _kind.__deepcopy__ = _same
+    _kind.__copy__ = _kind.__deepcopy__ = same

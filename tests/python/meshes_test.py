@@ -390,6 +390,52 @@ def test_what_cannot_change_is_its_own_copy_and_meshes_are_pickled(box):
     assert np.array_equal(back.labels, labelled.labels)
 
 
+class Own(dupin.Solid):
+    def __init__(self):  # and not that of the solid
+        pass
+
+
+@pytest.mark.parametrize("kind", [dupin.Solid, dupin.Mesh, dupin.Certificate, Own])
+def test_what_no_init_has_made_is_refused_wherever_it_is_used(kind, box, tmp_path):
+    unmade = kind.__new__(kind)
+    for name in dir(kind):
+        if isinstance(getattr(kind, name), property):
+            with pytest.raises(TypeError, match="__init__ was not called"):
+                getattr(unmade, name)
+    assert copy.copy(unmade) is unmade and copy.deepcopy(unmade) is unmade
+    solid = dupin.as_solid(*box())
+    uses = [lambda: repr(unmade)] if kind is not dupin.Certificate else [unmade.to_json, unmade.verify]
+    if kind is dupin.Mesh:
+        uses += [lambda: dupin.check(unmade), lambda: dupin.repair(unmade), lambda: dupin.mesh_gaps(solid, unmade),
+                 lambda: list(unmade), lambda: dupin.as_solid(unmade), lambda: pickle.dumps(unmade),
+                 lambda: dupin.write_mesh(tmp_path / "a.stl", unmade)]
+    elif kind is not dupin.Certificate:
+        uses += [lambda: solid + unmade, lambda: unmade + solid, lambda: dupin.union(solid, unmade), unmade.mesh,
+                 lambda: dupin.boolean("a-b", a=solid, b=unmade), lambda: unmade.translate([1, 0, 0]),
+                 lambda: unmade.exact_point(0), lambda: unmade.write(tmp_path / "a.stl"), lambda: unmade.simplify(1)]
+    for use in uses:
+        with pytest.raises(TypeError, match="__init__ was not called"):
+            use()
+
+
+def test_objects_come_from_no_other_door_unmade(box):
+    with pytest.raises(TypeError, match="__init__"):
+        Own()
+    with pytest.raises(TypeError):
+        dupin.Certificate()
+    for one in (dupin.Solid(), Own.__new__(Own)):
+        with pytest.raises(TypeError):
+            pickle.dumps(one)
+    foreign = pickle.dumps(dupin.Mesh(*box())).replace(b"Mesh", b"Solid")
+    with pytest.raises((TypeError, pickle.UnpicklingError)):
+        pickle.loads(foreign)
+    mesh = dupin.Mesh(*box())
+    with pytest.raises(TypeError):
+        dupin.Solid.__init__(mesh)
+    mesh.__init__([[0, 0, 0]], np.zeros((0, 3), np.uint32))  # a second time: it stays what it is
+    assert len(mesh.points) == 8
+
+
 def test_points_that_are_not_there_are_refused(box):
     with pytest.raises(IndexError, match="there are 8 points, from 0; not 8"):
         dupin.as_solid(*box()).exact_point(8)

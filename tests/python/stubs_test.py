@@ -50,7 +50,7 @@ def bound(function):
 
 def public(names):
     """Without what every class or module has, and pybind11's own."""
-    base = set(dir(object)) | {"__module__", "__dict__", "__weakref__", "__annotations__"}
+    base = set(dir(object)) | {"__module__", "__dict__", "__weakref__", "__annotations__", "__slotnames__"}
     return {n for n in names if n not in base and not n.startswith(("_pybind11", "__pybind11"))}
 
 
