@@ -1,4 +1,5 @@
 #include "binding.h"
+#include "dupin/io/system_error.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::python {
@@ -15,9 +16,14 @@ py::object text(std::string_view bytes) {
 }
 
 void translate(const Error& error) {
+  const auto* const refused = dynamic_cast<const SystemError*>(&error);
+  const py::object reason =
+      refused != nullptr
+          ? py::object(py::make_tuple(refused->reason(), text(refused->reason_text())))
+          : py::object(py::none());
   const py::object make = py::module_::import("dupin.errors").attr("error_of");
   const py::object value = make(text(name(error.code())), text(error.message()), text(error.part()),
-                                text(error.where()), text(error.what()));
+                                text(error.where()), text(error.what()), reason);
   PyErr_SetObject(py::type::of(value).ptr(), value.ptr());
 }
 

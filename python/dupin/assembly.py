@@ -80,6 +80,12 @@ class Assembly(PartMethods):
 
         return self.add({"name": name, **given(beside), key: given(below)})
 
+    def __copy__(self) -> Assembly:
+        """An assembly of its own: what is added to one is not in the other."""
+        made = type(self).__new__(type(self))
+        made.__dict__.update(self.__dict__, _document=self.to_dict())
+        return made
+
     def to_dict(self) -> dict[str, Any]:
         """The document; a copy."""
         return json.loads(json.dumps(self._document))

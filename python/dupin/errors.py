@@ -105,13 +105,20 @@ class ParseFailed(Error, ValueError):
 
 
 class IoFailed(Error, OSError):
-    """The operating system refused to read or write `filename`."""
+    """The operating system refused to read or write `filename`, for the reason `errno`, which is `strerror` in words;
+    both are None where it gave none, as for a file that changed while it was read."""
 
     code = "io_failed"
 
-    def __init__(self, message: str, part: str = "", where: str = "", text: str | None = None) -> None:
+    def __init__(self, message: str, part: str = "", where: str = "", text: str | None = None,
+                 reason: tuple[int, str] | None = None) -> None:
         super().__init__(message, part, where, text)
         self.filename = where or None
+        self.errno, self.strerror = reason or (None, None)
+
+    def __reduce__(self):
+        reason = None if self.errno is None else (self.errno, self.strerror)
+        return type(self), (self.message, self.part, self.where, str(self), reason)
 
     def __str__(self) -> str:  # OSError's own, where it has a filename, says nothing else
         return self.args[0]
@@ -126,6 +133,8 @@ class InternalError(Error, RuntimeError):
 _CLASSES = {kind.code: kind for kind in Error.__subclasses__()}
 
 
-def error_of(code: str, message: str, part: str = "", where: str = "", text: str | None = None) -> Error:
-    """The exception of a code."""
-    return _CLASSES.get(code, Error)(message, part, where, text)
+def error_of(code: str, message: str, part: str = "", where: str = "", text: str | None = None,
+             reason: tuple[int, str] | None = None) -> Error:
+    """The exception of a code; `reason` is an errno and its text."""
+    more = (reason,) if code == IoFailed.code else ()
+    return _CLASSES.get(code, Error)(message, part, where, text, *more)

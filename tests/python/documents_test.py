@@ -139,6 +139,45 @@ def test_every_code_has_a_class_and_errors_can_be_copied():
             assert (type(other), str(other), other.part, other.where) == (type(error), "text", "part", "where")
 
 
+def test_files_that_the_system_refuses_raise_what_other_libraries_raise(tmp_path, box):
+    import copy
+    import errno
+    import pickle
+
+    missing = tmp_path / "none.off"
+    for action, reason, name in [
+            (lambda: dupin.read_mesh(missing), errno.ENOENT, missing),
+            (lambda: dupin.build(tmp_path / "none.json"), errno.ENOENT, tmp_path / "none.json"),
+            (lambda: dupin.read_mesh(tmp_path), errno.EISDIR, tmp_path),
+            (lambda: dupin.as_solid(*box()).write(tmp_path / "no" / "a.off"), errno.ENOENT, tmp_path / "no" / "a.off")]:
+        with pytest.raises(OSError) as caught:
+            action()
+        for error in (caught.value, copy.copy(caught.value), pickle.loads(pickle.dumps(caught.value))):
+            assert isinstance(error, dupin.errors.IoFailed)
+            assert (error.errno, error.strerror, error.filename) == (reason, os.strerror(reason), str(name))
+            assert str(error).startswith(f"{name}: cannot ") and os.strerror(reason) in str(error)
+    unexplained = dupin.errors.error_of("io_failed", "became shorter", where="a.stl")
+    assert (unexplained.errno, unexplained.strerror, unexplained.filename) == (None, None, "a.stl")
+
+
+class Named(dupin.Assembly):
+    pass
+
+
+@pytest.mark.parametrize("kind", [dupin.Assembly, Named])
+def test_copies_of_an_assembly_are_their_own(kind):
+    import copy
+    import pickle
+
+    original = kind(units="in", values={"r": [1, 2]}).pipe("a", from_=[0, 0, 0], to=[1, 0, 0], radius=1)
+    original.remark = ["of the user"]
+    for made in (copy.copy(original), copy.deepcopy(original), pickle.loads(pickle.dumps(original))):
+        assert type(made) is kind and made == original and made.remark == original.remark
+        made.pipe("b", from_=[0, 0, 0], to=[0, 1, 0], radius=1)
+        made._document["values"]["r"].append(3)
+        assert len(made) == 2 and len(original) == 1 and original.to_dict()["values"] == {"r": [1, 2]}
+
+
 def test_gaps_are_measured_exactly():
     report = dupin.gaps({"units": "mm", "tolerance": 0.01, "parts": [
         {"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},

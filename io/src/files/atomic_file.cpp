@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cerrno>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include <unistd.h>
 
 #include "dupin/io/scratch_file.h"
+#include "dupin/io/system_error.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
 
@@ -25,8 +25,7 @@ namespace fs = std::filesystem;
 using files::Descriptor;
 
 [[noreturn]] void fail(const std::string& action, const fs::path& path, int reason) {
-  throw Error(Errc::io_failed, "cannot " + action + ": " + std::generic_category().message(reason),
-              {}, path.string());
+  throw SystemError("cannot " + action, reason, path.string());
 }
 
 /// The system reads names up to a NUL: what follows would be left out without a word.

@@ -3,11 +3,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string>
-#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "dupin/io/system_error.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
 
@@ -17,10 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& action, const fs::path& folder, int reason) {
-  throw Error(Errc::io_failed,
-              "cannot " + action + " a temporary file: " + std::generic_category().message(reason) +
-                  "; the environment variable TMPDIR may name another folder",
-              {}, folder.string());
+  throw SystemError("cannot " + action + " a temporary file", reason, folder.string(),
+                    "; the environment variable TMPDIR may name another folder");
 }
 
 /// A file that has no name, or none any more; -1 if the system refuses.

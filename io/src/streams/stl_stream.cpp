@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
+#include "dupin/io/system_error.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
 #include "files/placed_file.h"
@@ -26,8 +26,7 @@ using formats::kStlFacet, formats::kStlHeader, formats::kStlPreamble;
 namespace {
 
 [[noreturn]] void fail(const std::string& file, int reason) {
-  throw Error(Errc::io_failed, "cannot read the file: " + std::generic_category().message(reason),
-              {}, file);
+  throw SystemError("cannot read the file", reason, file);
 }
 
 /// As many bytes as is_binary_stl() looks at.
