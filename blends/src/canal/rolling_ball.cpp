@@ -307,6 +307,11 @@ std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadric
   if (radius != 0) {
     canal::require_positive(radius);
   }
+  if (!(touching >= 0 && std::isfinite(touching))) {
+    throw Error(Errc::invalid_argument,
+                "what counts as touching must be finite and not negative, not " +
+                    decimal(touching, kMessageDigits));
+  }
   if (quadrics[0].slope != 0 || quadrics[1].slope != 0) {
     return on_cones(quadrics, radius);
   }

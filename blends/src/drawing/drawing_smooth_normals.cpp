@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "assembly/bore.h"
 #include "drawing/named_patches.h"
 #include "dupin/blends/drawing.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/patch.h"
 #include "shading/vertex_normals.h"
 
 namespace dupin {
@@ -31,6 +35,12 @@ std::function<CornerNormals(const TriMesh&, double)> smooth_normals(
   const auto table =
       std::make_shared<const shading::PatchTable>(patches_of(assembly, built, names));
   return [=](const TriMesh& mesh, double moved) {
+    validate(mesh);
+    if (!(moved >= 0 && std::isfinite(moved))) {
+      throw Error(Errc::invalid_argument,
+                  "how far points were moved must be finite and not negative, not " +
+                      decimal(moved, kMessageDigits));
+    }
     return shading::vertex_normals(*table, mesh,
                                    {2 * error + moved, largest + moved, kLeastNormalCosine});
   };

@@ -15,6 +15,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "editing/chain_of.h"
 
 namespace dupin {
 namespace {
@@ -39,7 +40,7 @@ class Editor {
   Editor(const Assembly& assembly, std::uint32_t part)
       : assembly_(assembly),
         part_(part),
-        edited_(chain_of(assembly, part)),
+        edited_(editing::chain_of(assembly, part)),
         own_(std::holds_alternative<PortReference>(edited_.from) ? 1 : 0) {
     const ResolvedAssembly resolved = resolve(assembly);
     const auto found = std::find_if(resolved.parts.begin(), resolved.parts.end(),
@@ -109,22 +110,6 @@ class Editor {
   }
 
  private:
-  static const CyclideChainThrough& chain_of(const Assembly& assembly, std::uint32_t part) {
-    if (part >= assembly.parts.size()) {
-      throw Error(Errc::invalid_argument,
-                  "there is no part " + std::to_string(part) + "; the document has " +
-                      std::to_string(assembly.parts.size()),
-                  {}, assembly.source);
-    }
-    const auto* chain = std::get_if<CyclideChainThrough>(&assembly.parts[part].shape);
-    if (chain == nullptr) {
-      throw Error(
-          Errc::invalid_argument,
-          "the part is no cyclide_chain; other parts have no spheres to move or to turn about",
-          assembly.parts[part].name, document_place(assembly, part));
-    }
-    return *chain;
-  }
   [[noreturn]] void fail(const std::string& message) const {
     throw Error(Errc::invalid_argument, message, assembly_.parts[part_].name,
                 document_place(assembly_, part_, "spheres"));
@@ -226,6 +211,7 @@ CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part, st
 }
 
 void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all) {
+  (void)editing::chain_of(edited, part);
   const ResolvedAssembly resolved = resolve(edited);
   for (const ResolvedPart& other : resolved.parts) {
     if (other.index != part) {

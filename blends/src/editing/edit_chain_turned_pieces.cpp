@@ -8,8 +8,10 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "editing/chain_of.h"
 
 namespace dupin {
+using editing::chain_of;
 namespace {
 
 // Of the way from the piece to its bias sphere, by which a junction is moved.
@@ -17,10 +19,6 @@ constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};
 
 // Moves that seem to do, per piece, which are built: these take long.
 constexpr int kBuilds = 4;
-
-const CyclideChainThrough& chain_of(const Assembly& assembly, std::uint32_t part) {
-  return std::get<CyclideChainThrough>(assembly.parts.at(part).shape);
-}
 
 // Spheres before the first one of the document.
 std::size_t own(const CyclideChainThrough& chain) {

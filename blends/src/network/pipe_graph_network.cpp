@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "assembly/document_bounds.h"
@@ -164,6 +165,10 @@ PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options)
                                             decimal(network::kLeastRadius, kMessageDigits) +
                                             " and 1e12, not " +
                                             decimal(*options.radius, kMessageDigits));
+  }
+  if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
+    throw Error(Errc::invalid_argument, "the tolerance must be positive and finite, not " +
+                                            decimal(*options.tolerance, kMessageDigits));
   }
   CleanGraph clean = network::cleaned(graph, options);
   PipeNetwork result;

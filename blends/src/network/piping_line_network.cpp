@@ -124,7 +124,10 @@ std::string_view name(JointState state) {
 PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options) {
   check_option(options.snap, "snap");
   check_option(options.bridge, "bridge");
+  check_option(options.tolerance, "tolerance");
   check_option(options.fillet.value_or(0), "fillet");
+  check_option(options.wall.value_or(0), "wall");
+  check_option(options.insulation.value_or(0), "insulation");
   network::LineNotes notes(given.source, options.keep_going);
   PipingLine line = given;
   if (!options.wall && std::ranges::any_of(line.components, [](const PipingComponent& component) {

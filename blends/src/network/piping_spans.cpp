@@ -86,6 +86,9 @@ class Spans {
     if (ports.empty()) {
       return refused("it has no end in space");
     }
+    if (!is_finite(component)) {
+      return refused("its coordinates and lengths must be finite");
+    }
     const bool is_bend = component.shape == PipingShape::bend;
     if (!is_bend && component.shape != PipingShape::fitting && ports.size() > 2) {
       return refused("it has " + std::to_string(ports.size()) + " ends instead of two");
@@ -107,6 +110,17 @@ class Spans {
       return refused("it turns back upon itself");
     }
     return false;
+  }
+
+  [[nodiscard]] static bool is_finite(const PipingComponent& component) {
+    const auto is_number = [](const std::optional<double>& length) {
+      return std::isfinite(length.value_or(0));
+    };
+    return is_number(component.bend_radius) && is_number(component.wall) &&
+           component.center.value_or(Vec3::Zero()).allFinite() &&
+           std::ranges::all_of(component.ports, [&](const PipingPort& port) {
+             return port.center.allFinite() && is_number(port.radius);
+           });
   }
 
   // A bend whose corner lies off the straight line between its ends.

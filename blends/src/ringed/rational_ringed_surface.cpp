@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "numbers/bezier.h"
 #include "numbers/polynomial.h"
 #include "numbers/quadrature.h"
@@ -288,6 +290,10 @@ Vec3 evaluate(const RationalPatch& patch, double t, double s) {
 // With n of length s = |A|^2: discs are disjoint locally if and only if d'.n > 0 and
 // (d'.n)^2 > rho^2 (|n'|^2 - s'^2).
 bool proves_regular(const RationalRingedSurface& surface, double margin) {
+  if (!std::isfinite(margin)) {
+    throw Error(Errc::invalid_argument,
+                "the margin to prove must be finite, not " + decimal(margin, kMessageDigits));
+  }
   std::vector<numbers::ExactVec3> points;
   for (const Vec3& point : surface.center) {
     points.push_back(numbers::exact(point));

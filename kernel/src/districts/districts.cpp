@@ -107,6 +107,7 @@ class Containment {
 template <class BoxOfPoint, class PlaceOfPoint>
 bool lie_in(const std::vector<Triangle>& triangles, const Boxes& boxes,
             const BoxOfPoint& box_of_point, const PlaceOfPoint& place_of_point) {
+  require_numbers(boxes);
   Containment containment(boxes);
   return std::ranges::all_of(triangles, [&](const Triangle& t) {
     const std::array corners{box_of_point(t[0]), box_of_point(t[1]), box_of_point(t[2])};

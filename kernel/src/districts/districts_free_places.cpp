@@ -2,9 +2,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/vec.h"
 #include "support/disjoint_sets.h"
 
@@ -39,11 +42,27 @@ double plane_distance(const Eigen::AlignedBox3d& box, double cells) {
   return distance;
 }
 
+void require_cuttable(const std::vector<std::optional<Cuttable>>& items, std::size_t boxes) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool is_cuttable =
+        !items[i] ||
+        (i < boxes && items[i]->axis >= 0 && items[i]->axis < 3 && std::isfinite(items[i]->from) &&
+         std::isfinite(items[i]->to) && std::isfinite(items[i]->clear));
+    if (!is_cuttable) {
+      throw Error(Errc::invalid_argument,
+                  "item " + std::to_string(i) +
+                      " needs a box, an axis from 0 to 2, and ends and room that are finite");
+    }
+  }
+}
+
 }  // namespace
 
 FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
                        const std::vector<std::optional<Cuttable>>& items)
     : items_(items.size()) {
+  require_numbers(boxes);
+  require_cuttable(items, boxes.size());
   std::vector<std::vector<Range>> taken(items.size());
   const auto margin = [&](std::uint32_t i) {
     return items[i]->from - boxes[i].min()[items[i]->axis];
@@ -78,6 +97,12 @@ FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
 }
 
 FreePlaces::Cuts FreePlaces::cuts(double distance) const {
+  if (!(distance > 0 && std::isfinite(distance))) {
+    throw Error(Errc::invalid_argument,
+                "planes to cut at are a distance apart that is positive "
+                "and finite, not " +
+                    decimal(distance, kMessageDigits));
+  }
   Cuts result;
   result.reserve(items_.size());
   for (const Item& item : items_) {
@@ -136,6 +161,12 @@ FreePlaces::Cuts FreePlaces::best_cuts(double size, double most,
 std::vector<std::uint32_t> grouped(std::vector<double> weights,
                                    std::span<const std::array<std::uint32_t, 2>> pairs,
                                    double most) {
+  const auto is_there = [&](const auto& pair) { return std::ranges::max(pair) < weights.size(); };
+  if (!std::ranges::none_of(weights, [](double weight) { return std::isnan(weight); }) ||
+      std::isnan(most) || !std::ranges::all_of(pairs, is_there)) {
+    throw Error(Errc::invalid_argument,
+                "what is grouped needs weights that are numbers, and pairs of what has one");
+  }
   support::DisjointSets groups(weights.size());
   for (const bool is_last : {false, true}) {
     for (const auto& [a, b] : pairs) {

@@ -118,6 +118,9 @@ std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling) {
     throw Error(Errc::invalid_argument,
                 "a ring needs at least 3 segments, not " + std::to_string(sampling.segments));
   }
+  if (!std::isfinite(sampling.phase) || !std::isfinite(sampling.grid)) {
+    throw Error(Errc::invalid_argument, "the phase and the grid of a sampling must be finite");
+  }
   const Vec3 normal = canonical_normal(ring.normal);
   const Vec3 u = reference_axis(ring);
   const Vec3 v = normal.cross(u);

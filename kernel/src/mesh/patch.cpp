@@ -20,7 +20,9 @@ struct Sums {
   throw Error(Errc::invalid_argument, message);
 }
 
-void require_patches(const TriMesh& mesh) {
+}  // namespace
+
+void require_indices(const TriMesh& mesh) {
   const bool is_labelled = !mesh.labels.empty();
   if (is_labelled && mesh.labels.size() != mesh.triangles.size()) {
     refuse("there are " + std::to_string(mesh.labels.size()) + " labels for " +
@@ -39,10 +41,17 @@ void require_patches(const TriMesh& mesh) {
   }
 }
 
-}  // namespace
+void validate(const TriMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (!mesh.points[i].allFinite()) {
+      refuse("point " + std::to_string(i) + " has a coordinate that is not finite");
+    }
+  }
+  require_indices(mesh);
+}
 
 std::vector<Patch> patches_of(const TriMesh& mesh) {
-  require_patches(mesh);
+  require_indices(mesh);
   const bool is_labelled = !mesh.labels.empty();
   std::vector<Sums> sums(is_labelled ? mesh.names.size() : 1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -44,6 +44,12 @@ void validate(const RoundingOptions& options) {
   if (!options.origin.place.allFinite()) {
     throw Error(Errc::invalid_argument, "the origin must be finite");
   }
+  if (options.whole &&
+      !(options.whole->box.min().allFinite() && options.whole->box.max().allFinite() &&
+        options.whole->largest >= 0 && std::isfinite(options.whole->largest))) {
+    throw Error(Errc::invalid_argument,
+                "the box about the whole and its largest coordinate must be finite");
+  }
 }
 
 Vec3 chosen_origin(const RoundingOptions& options, std::span<const Vec3> points) {

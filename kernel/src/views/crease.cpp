@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/patch.h"
 #include "mesh/edge_table.h"
 
 namespace dupin {
@@ -21,6 +23,10 @@ Vec3 doubled_area(const TriMesh& mesh, std::uint32_t triangle) {
 std::vector<Crease> creases_between_labels(
     const TriMesh& mesh, double angle,
     const std::function<bool(std::uint32_t, std::uint32_t)>& divides) {
+  require_indices(mesh);
+  if (!std::isfinite(angle)) {
+    throw Error(Errc::invalid_argument, "the least angle of a crease must be finite");
+  }
   std::vector<Crease> result;
   if (mesh.labels.empty()) {
     return result;

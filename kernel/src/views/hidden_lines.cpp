@@ -1,11 +1,14 @@
 #include "dupin/kernel/hidden_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "boxes/box_quantizer.h"
 #include "boxes/box_tree.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/patch.h"
 
 namespace dupin {
 
@@ -136,6 +139,10 @@ class Joiner {
 }  // namespace
 
 HiddenLines::HiddenLines(const TriMesh& mesh, const View& view) {
+  validate(mesh);
+  if (!view.right.allFinite() || !view.up.allFinite() || !view.towards.allFinite()) {
+    throw Error(Errc::invalid_argument, "the directions of a view must be finite");
+  }
   std::vector<Vec3> points(mesh.points.size());
   std::ranges::transform(mesh.points, points.begin(), view);
   const boxes::BoxQuantizer quantizer{std::span<const Vec3>(points)};
@@ -147,6 +154,11 @@ HiddenLines::HiddenLines(const TriMesh& mesh, const View& view) {
 HiddenLines::~HiddenLines() = default;
 
 SeenLine HiddenLines::seen(std::span<const Vec3> polyline, double least) const {
+  if (!std::isfinite(least) ||
+      !std::ranges::all_of(polyline, [](const Vec3& point) { return point.allFinite(); })) {
+    throw Error(Errc::invalid_argument,
+                "the points of a line, and the least length of a stretch, must be finite");
+  }
   if (polyline.size() < 2) {
     return {};
   }

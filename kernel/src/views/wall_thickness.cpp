@@ -9,7 +9,9 @@
 #include "boxes/bounds.h"
 #include "boxes/box_quantizer.h"
 #include "boxes/box_tree.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "dupin/kernel/patch.h"
 
 namespace dupin {
 namespace {
@@ -140,6 +142,10 @@ std::vector<std::uint32_t> tried_faces(const TriMesh& mesh, std::size_t most) {
 
 std::vector<WallPlace> thinnest_walls(const TriMesh& mesh, std::size_t most_ways,
                                       double most_angle) {
+  require_indices(mesh);
+  if (!std::isfinite(most_angle)) {
+    throw Error(Errc::invalid_argument, "the largest angle between the sides of a wall is finite");
+  }
   if (mesh.triangles.empty()) {
     return {};
   }

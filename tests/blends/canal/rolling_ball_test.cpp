@@ -530,6 +530,7 @@ TEST(RollingBallFillets, SayWhyThereAreNone) {
   expect_refused({run, cone}, .2, Errc::irregular_surface, "neither");
   expect_refused({run, branch}, -1, Errc::invalid_argument, "positive");
   expect_refused({run, branch}, std::nan(""), Errc::invalid_argument, "positive");
+  EXPECT_THROW((void)rolling_ball_fillets({run, branch}, .2, std::nan("")), Error);
   Ring bad = branch;
   bad.radius = -1;
   expect_refused({run, bad}, 1, Errc::invalid_argument, "");

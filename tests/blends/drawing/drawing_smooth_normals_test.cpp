@@ -11,6 +11,7 @@
 
 #include "dupin/blends/drawing.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/error.h"
 #include "support/source_folder.h"
 
 namespace dupin {
@@ -267,6 +268,26 @@ TEST(SmoothNormals, are_never_far_from_the_triangles_own) {
       EXPECT_GT(vec(normal).dot(facet), kLeastNormalCosine - 1e-6);
     }
   }
+}
+
+TEST(SmoothNormals, are_of_meshes_and_moves_that_are_some) {
+  const Assembly assembly = assembly_of(kPipe);
+  const Built built = build(assembly);
+  const TriMesh mesh = mesh_of(built.solid);
+  const auto refused = [&](const TriMesh& other, double moved) {
+    EXPECT_THROW((void)smooth_normals(assembly, built, other, moved), Error);
+  };
+  TriMesh bad = mesh;
+  bad.triangles[0][1] = static_cast<std::uint32_t>(mesh.points.size());
+  refused(bad, 0);
+  bad = mesh;
+  bad.labels[0] = static_cast<std::uint32_t>(mesh.names.size());
+  refused(bad, 0);
+  bad = mesh;
+  bad.points[0].x() = std::nan("");
+  refused(bad, 0);
+  refused(mesh, std::nan(""));
+  refused(mesh, -1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -186,6 +187,10 @@ TEST(EditChain, refuses_parts_that_are_no_chain) {
   const std::string no_part = "d.json: there is no part 7; the document has 1";
   EXPECT_EQ(refusal([&] { return move_sphere(with_pipe, 7, 2, sphere(0, 0, 0, 1)); }), no_part);
   EXPECT_EQ(refusal([&] { return twist_chain(with_pipe, 7, 2, 1); }), no_part);
+  for (const auto& [part, fault] : {std::pair(0U, no_chain), std::pair(7U, no_part)}) {
+    EXPECT_EQ(test::message_of([&] { (void)turned_pieces(with_pipe, part, 0); }), fault);
+    EXPECT_EQ(test::message_of([&] { check_edit(with_pipe, part, 0); }), fault);
+  }
 }
 
 TEST(EditChain, turns_by_finite_angles) {

@@ -234,6 +234,9 @@ TEST(PipeGraph, radii_must_be_positive) {
   EXPECT_THROW((void)assembly_of(graph), Error);
   EXPECT_THROW((void)assembly_of(graph, {.radius = 0}), Error);
   EXPECT_THROW((void)assembly_of(graph, {.radius = std::nan("")}), Error);
+  for (const double tolerance : {0.0, -1.0, std::nan(""), double(INFINITY)}) {
+    EXPECT_THROW((void)assembly_of(graph, {.radius = 1, .tolerance = tolerance}), Error);
+  }
 }
 
 // Nodes on a jittered lattice, edges between neighbours there: none passes through another.

@@ -535,6 +535,14 @@ TEST(PipingLine, refuses_what_is_no_component) {
               HasSubstr("no centre point"));
   EXPECT_THAT(what(Line().bend({-300, 1, 0}, {0, 0, 0}, {-300, -1, 0})), HasSubstr("turns back"));
   EXPECT_THAT(what(Line()), HasSubstr("no component is left"));
+  EXPECT_THAT(what(Line().pipe({0, 0, 0}, {9, 0, std::nan("")})), HasSubstr("must be finite"));
+  EXPECT_THAT(what(Line().pipe({0, 0, 0}, {9, 0, INFINITY})), HasSubstr("must be finite"));
+  for (const double bad : {-1.0, std::nan(""), double(INFINITY)}) {
+    for (const PipingOptions& options : std::vector<PipingOptions>{
+             {.tolerance = bad}, {.wall = bad}, {.insulation = bad}, {.fillet = bad}}) {
+      EXPECT_THROW((void)Line().pipe({0, 0, 0}, {9, 0, 0}).made(options), Error);
+    }
+  }
   EXPECT_THROW((void)Line().pipe({0, 0, 0}, {9, 0, 0}).made({.snap = -1}), Error);
   EXPECT_THROW((void)Line().pipe({0, 0, 0}, {9, 0, 0}).made({.bridge = std::nan("")}), Error);
 }

@@ -9,6 +9,7 @@
 
 #include "blends/ringed/ringed_blends.h"
 #include "dupin/blends/ringed_blend.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
@@ -67,6 +68,14 @@ TEST(RationalPatch, of_the_table_has_its_least_weight) {
     }
   }
   EXPECT_NEAR(least, 0.5690355937, 6e-11);
+}
+
+TEST(RationalRinged, margins_to_prove_are_numbers) {
+  const RationalRingedTube tube = oblique_tube({0, 0, 0}, {1, 0, 5}, {0, 0, 1}, 1, 2);
+  EXPECT_TRUE(proves_regular(tube.surface, 0.5));
+  for (const double margin : {std::nan(""), double(INFINITY), -double(INFINITY)}) {
+    EXPECT_THROW((void)proves_regular(tube.surface, margin), Error);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/districts.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
@@ -104,6 +106,34 @@ TEST(FreePlaces, groups_are_no_heavier_than_wanted) {
   EXPECT_EQ(grouped({100, 3, 100}, std::array{pairs[2], pairs[1]}, 100),
             (std::vector<std::uint32_t>{0, 0, 2}))
       << "which is little";
+}
+
+TEST(FreePlaces, are_of_numbers) {
+  const Eigen::AlignedBox3d box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  const auto refused = [&](const Cuttable& item) {
+    EXPECT_THROW(FreePlaces(std::vector{box}, {item}), Error);
+  };
+  const double nan = std::nan("");
+  refused({-1, 0, 1, .1});
+  refused({3, 0, 1, .1});
+  refused({0, nan, 1, .1});
+  refused({0, 0, INFINITY, .1});
+  refused({0, 0, 1, nan});
+  EXPECT_THROW(FreePlaces(std::vector<Eigen::AlignedBox3d>(), {Cuttable{0, 0, 1, .1}}), Error);
+  Eigen::AlignedBox3d bad = box;
+  bad.min().y() = nan;
+  EXPECT_THROW(FreePlaces(std::vector{bad}, {}), Error);
+  const FreePlaces places(std::vector{box}, {Cuttable{0, 0, 1, .1}});
+  for (const double distance : {0.0, -1.0, nan, double(INFINITY)}) {
+    EXPECT_THROW((void)places.cuts(distance), Error);
+  }
+}
+
+TEST(FreePlaces, groups_are_of_things_with_weights) {
+  const std::vector<std::array<std::uint32_t, 2>> pair{{0, 1}}, outside{{0, 2}};
+  EXPECT_THROW((void)grouped({1, std::nan("")}, pair, 2), Error);
+  EXPECT_THROW((void)grouped({1, 1}, pair, std::nan("")), Error);
+  EXPECT_THROW((void)grouped({1, 1}, outside, 2), Error);
 }
 
 }  // namespace

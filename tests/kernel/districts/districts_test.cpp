@@ -319,5 +319,14 @@ TEST(Districts, of_bounds_that_are_not_numbers_are_refused) {
   }
 }
 
+TEST(Districts, boxes_that_nothing_lies_in_have_numbers) {
+  const Solid solid = Solid::from(test::box({0, 0, 0}, {1, 1, 1}));
+  Eigen::AlignedBox3d box(Vec3(-1, -1, -1), Vec3(2, 2, 2));
+  box.max().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(test::message_of([&] { (void)lies_in(solid, {box}); }, Errc::invalid_argument),
+            "box 0 has a bound that is not a number");
+  EXPECT_THROW((void)lies_in(to_mesh(solid), {box}), Error);
+}
+
 }  // namespace
 }  // namespace dupin::test

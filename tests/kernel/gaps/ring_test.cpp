@@ -108,5 +108,12 @@ TEST(Ring, a_bad_ring_is_refused) {
   EXPECT_THROW((void)sample({Vec3::Zero(), Vec3::UnitX(), 1}, {2}), Error);
 }
 
+TEST(Ring, is_sampled_from_an_angle_and_on_a_lattice_that_are_numbers) {
+  for (const double number : {std::nan(""), double(INFINITY)}) {
+    EXPECT_THROW((void)sample({}, {.segments = 8, .phase = number}), Error);
+    EXPECT_THROW((void)sample({}, {.segments = 8, .grid = number}), Error);
+  }
+}
+
 }  // namespace
 }  // namespace dupin

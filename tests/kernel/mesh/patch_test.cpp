@@ -1,5 +1,6 @@
 #include "dupin/kernel/patch.h"
 
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,36 @@ TEST(Patches, of_labels_without_a_name_or_a_triangle_are_refused) {
   bad = box;
   bad.triangles[5][1] = 8;
   EXPECT_EQ(refusal(bad), "face 5 has the corner 8, but there are 8 points");
+}
+
+TEST(ValidMesh, has_points_for_its_corners_and_names_for_its_labels) {
+  const TriMesh box = test::labelled(test::box({0, 0, 0}, {1, 1, 1}), "box");
+  EXPECT_NO_THROW(validate(box));
+  EXPECT_NO_THROW(validate({}));
+
+  TriMesh cornerless = box;
+  cornerless.triangles[7][2] = 8;
+  TriMesh unlabelled = box;
+  unlabelled.labels.pop_back();
+  TriMesh nameless = box;
+  nameless.labels[3] = 1;
+  for (const auto& [mesh, fault] : {std::pair(&cornerless, "face 7 has the corner 8"),
+                                    std::pair(&unlabelled, "there are 11 labels for 12"),
+                                    std::pair(&nameless, "face 3 has the label 1")}) {
+    EXPECT_EQ(test::message_of([&] { require_indices(*mesh); }).find(fault), 0U);
+    EXPECT_EQ(test::message_of([&] { validate(*mesh); }).find(fault), 0U);
+  }
+}
+
+TEST(ValidMesh, has_finite_coordinates) {
+  for (const double number :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
+    box.points[5].y() = number;
+    EXPECT_NO_THROW(require_indices(box));
+    EXPECT_EQ(test::message_of([&] { validate(box); }),
+              "point 5 has a coordinate that is not finite");
+  }
 }
 
 }  // namespace

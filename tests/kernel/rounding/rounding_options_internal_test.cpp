@@ -20,6 +20,10 @@ TEST(RoundingOptions, are_refused_outside_their_ranges) {
     EXPECT_THROW(validate({.output_grid = bad}), Error);
     EXPECT_THROW(validate({.origin = {Origin::Choice::given, Vec3(0, bad == -1 ? NAN : bad, 0)}}),
                  Error);
+    Whole whole{{Vec3(0, 0, 0), Vec3(1, 1, 1)}, bad};
+    EXPECT_THROW(validate({.whole = whole}), Error);
+    whole = {{Vec3(0, 0, 0), Vec3(1, bad == -1 ? NAN : bad, 1)}, 0};
+    EXPECT_THROW(validate({.whole = whole}), Error);
   }
   for (const double grid : {0.1, 3.0, 0.75}) {
     EXPECT_THROW(validate({.output_grid = grid}), Error) << "no power of two";

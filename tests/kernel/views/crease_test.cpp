@@ -1,9 +1,11 @@
 #include "dupin/kernel/crease.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -69,6 +71,14 @@ TEST(Crease, of_four_triangles_count_once) {
     }
   }
   EXPECT_EQ(creases_between_labels(mesh, 1e-3, always).size(), 1);
+}
+
+TEST(Crease, turn_by_more_than_a_number) {
+  TriMesh box = test::labelled(test::box({0, 0, 0}, {1, 1, 1}), "box");
+  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
+  EXPECT_THROW((void)creases_between_labels(box, std::nan(""), all), Error);
+  box.triangles[0][0] = 8;
+  EXPECT_THROW((void)creases_between_labels(box, 1, all), Error);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "dupin/kernel/hidden_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -88,6 +90,25 @@ TEST(HiddenLines, agree_with_rays_at_points) {
       }
     }
   }
+}
+
+TEST(HiddenLines, are_of_finite_numbers) {
+  const TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
+  const std::vector<Vec3> line = {{0, 0, -1}, {1, 1, -1}};
+  for (const double number : {std::nan(""), double(INFINITY)}) {
+    TriMesh bad = box;
+    bad.points[0].x() = number;
+    View view;
+    view.up.x() = number;
+    EXPECT_THROW(HiddenLines(bad, {}), Error);
+    EXPECT_THROW(HiddenLines(box, view), Error);
+    EXPECT_THROW((void)HiddenLines(box, {}).seen(std::vector<Vec3>{line[0], {0, number, 0}}, 0),
+                 Error);
+    EXPECT_THROW((void)HiddenLines(box, {}).seen(line, number), Error);
+  }
+  TriMesh bad = box;
+  bad.triangles[0][0] = 8;
+  EXPECT_THROW(HiddenLines(bad, {}), Error);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "support/shapes.h"
 
@@ -61,6 +62,13 @@ TEST(WallThickness, tries_every_label_however_few_ways_it_may) {
   for (std::uint32_t i = 0; i < walls.size(); ++i) {
     EXPECT_EQ(walls[i].label, i);
   }
+}
+
+TEST(WallThickness, is_of_corners_that_are_points_and_angles_that_are_numbers) {
+  TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
+  EXPECT_THROW((void)thinnest_walls(box, 100, std::nan("")), Error);
+  box.triangles[0][0] = 8;
+  EXPECT_THROW((void)thinnest_walls(box), Error);
 }
 
 }  // namespace

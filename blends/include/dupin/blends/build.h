@@ -122,9 +122,9 @@ class DistrictBuild {
   /// parts. O(n log n) and the pairs of boxes that touch. Throws what `build` throws before a mesh
   /// is made; the others throw Error{invalid_argument} for a number of no district.
   explicit DistrictBuild(const Assembly& assembly, const BuildOptions& options = {});
-  ~DistrictBuild();
-  DistrictBuild(DistrictBuild&& other) noexcept;
-  DistrictBuild& operator=(DistrictBuild&& other) noexcept;
+  // No moves: they would leave one without a plan behind.
+  DistrictBuild(const DistrictBuild&) = default;
+  DistrictBuild& operator=(const DistrictBuild&) = default;
 
   [[nodiscard]] std::size_t size() const;
   /// About each district.
@@ -153,7 +153,7 @@ class DistrictBuild {
 
  private:
   struct Plan;
-  std::unique_ptr<const Plan> plan_;
+  std::shared_ptr<const Plan> plan_;
 };
 
 /// The largest error bound of the parts' meshes.

@@ -157,7 +157,7 @@ struct CanalFillet {
 /// up to `touching` of the size are none: the ball misses the cylinders by so much then. With the
 /// radius 0 the loops are the curves in which they cross.
 ///
-/// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are negative;
+/// Throws Error{invalid_argument} for invalid or elliptic rings and numbers that are negative;
 /// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
 /// do not meet, or a cone and another quadric touch. A loop that folds is not refused:
 /// `prove_regular` tells.

@@ -80,6 +80,7 @@ struct Drawing {
 /// The visible outline of `built`, which `build` made of the assembly: contours of its smooth
 /// surfaces, and the edges in which parts meet other than tangentially. What is visible is decided
 /// with respect to the mesh, within a few of its errors. O(lines log triangles + what covers them).
+/// Throws Error{invalid_argument} for a view that is not finite.
 [[nodiscard]] Drawing draw(const Assembly& assembly, const Built& built,
                            const DrawingOptions& options);
 
@@ -109,7 +110,8 @@ inline constexpr double kLeastNormalCosine = 0.25;
 /// it is the triangle's own.
 ///
 /// The same for any number of threads. O(triangles), times the pieces of a part in the worst case;
-/// a million triangles take about half a second of two cores. Throws as `smooth_region`.
+/// a million triangles take about half a second of two cores. Throws as `smooth_region` and
+/// `validate`, and Error{invalid_argument} for a `moved` that is negative or not finite.
 [[nodiscard]] CornerNormals smooth_normals(const Assembly& assembly, const Built& built,
                                            const TriMesh& mesh, double moved = 0);
 

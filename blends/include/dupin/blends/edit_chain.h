@@ -53,9 +53,10 @@ struct TurnedPiece {
 /// cyclide_blend.
 constexpr double kEditMargin = 1.0 / 64;
 
-/// Throws Error{irregular_surface} unless the chain's margin is proved to be at least `margin`, and
-/// what `build` throws. With `build_all`, all parts are meshed and proved to be solids, and, where
-/// there are walls, united; without, the document is resolved only, which is quick.
+/// Throws Error{irregular_surface} unless the chain's margin is proved to be at least `margin`,
+/// Error{invalid_argument} for a number of no part, and what `build` throws. With `build_all`, all
+/// parts are meshed and proved to be solids, and, where there are walls, united; without, the
+/// document is resolved only, which is quick.
 void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all = true);
 
 /// Throws what `build` throws, of what it builds elsewhere, of a document put in another place: it

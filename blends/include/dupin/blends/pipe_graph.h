@@ -59,7 +59,8 @@ struct PipeNetwork {
 /// the exact union is what joins them.
 ///
 /// Throws Error{invalid_argument} with "file:line" for a node without a radius or a number that is
-/// not finite, unless told to keep going, and for a graph of which no edge is left. Takes
+/// not finite, unless told to keep going, for a graph of which no edge is left, and for options out
+/// of range. Takes
 /// O(n log n + k) time for k pairs of edges whose boxes overlap along x, and a search for each
 /// node.
 [[nodiscard]] PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options = {});

@@ -31,7 +31,7 @@ struct RationalRingedSurface {
 /// Whether rho > 0 and rho |n'| < (1 - margin) d'.n on [0, 1], decided by Bernstein subdivision of
 /// the exact polynomials; false also where that does not decide within 40 halvings. At an end where
 /// the circle stands still and its radius alone moves, as it does out of a plate, the inequality
-/// holds in the limit.
+/// holds in the limit. Throws Error{invalid_argument} for numbers that are not finite.
 [[nodiscard]] bool proves_regular(const RationalRingedSurface& surface, double margin = 0);
 
 /// The largest multiple of 1/256 that is a proven lower bound of min(1 - rho |n'| / d'.n), which

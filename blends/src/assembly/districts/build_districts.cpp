@@ -39,6 +39,9 @@ ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
 }
 
 void require_margins(const BuildOptions& options) {
+  if (std::isnan(options.most_of_piece)) {
+    throw Error(Errc::invalid_argument, "the most triangles of a piece must be a number");
+  }
   for (const double margin : {options.margin, options.relative_margin}) {
     if (!(margin >= 0 && std::isfinite(margin))) {
       throw Error(
@@ -233,11 +236,9 @@ struct DistrictBuild::Plan {
   }
 };
 
-DistrictBuild::DistrictBuild(const Assembly& assembly, const BuildOptions& options)
-    : plan_(std::make_unique<const Plan>(assembly, options)) {}
-DistrictBuild::~DistrictBuild() = default;
-DistrictBuild::DistrictBuild(DistrictBuild&&) noexcept = default;
-DistrictBuild& DistrictBuild::operator=(DistrictBuild&&) noexcept = default;
+DistrictBuild::DistrictBuild(const Assembly& assembly, const BuildOptions& options) {
+  plan_ = std::make_shared<const Plan>(assembly, options);
+}
 
 std::size_t DistrictBuild::size() const { return plan_->districts.size(); }
 

@@ -26,7 +26,8 @@ struct Crease {
 /// The edges whose triangles' normals enclose more than `angle`, in radians, and carry labels for
 /// which `divides` holds, asked with the lower one first; edges of the same label, and all of a
 /// mesh that is not labelled, never count. Edges of four triangles and more do if two labels of
-/// theirs divide. In the order of their points. O(n log n).
+/// theirs divide. In the order of their points. O(n log n). Throws as `require_indices`, and
+/// Error{invalid_argument} for an angle that is not finite.
 [[nodiscard]] std::vector<Crease> creases_between_labels(
     const TriMesh& mesh, double angle,
     const std::function<bool(std::uint32_t, std::uint32_t)>& divides);

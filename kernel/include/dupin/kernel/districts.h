@@ -54,7 +54,7 @@ void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& 
 }
 
 /// Whether each triangle lies in the interiors of the boxes, together, exactly. O(n) where those in
-/// the same box follow one another, and few need several.
+/// the same box follow one another, and few need several. Throws as `require_numbers`.
 [[nodiscard]] bool lies_in(const Solid& solid, const Boxes& boxes);
 /// The same of the mesh where the solid is, whatever origin was subtracted.
 [[nodiscard]] bool lies_in(const Rounded& rounded, const Boxes& boxes);
@@ -85,7 +85,7 @@ struct Cuttable {
 };
 
 /// Where things may be cut, because nothing else is near there, which is said by boxes along the
-/// axes of coordinates.
+/// axes of coordinates. Throws Error{invalid_argument} for numbers that are not finite.
 class FreePlaces {
  public:
   using Cuts = std::vector<std::vector<double>>;  ///< by item, ascending
@@ -125,7 +125,7 @@ class FreePlaces {
 ///
 /// Things, numbered, that come together along these pairs, one after the other, as long as no more
 /// than `most` of their weight does; then what is left of little weight, with any other. For each
-/// the first of its group.
+/// the first of its group. Throws Error{invalid_argument} for weights and pairs of none.
 [[nodiscard]] std::vector<std::uint32_t> grouped(
     std::vector<double> weights, std::span<const std::array<std::uint32_t, 2>> pairs, double most);
 

@@ -26,14 +26,14 @@ struct SeenLine {
 /// triangle's plane may count either way, so move them off the surface first.
 class HiddenLines {
  public:
-  /// O(n log n).
+  /// O(n log n). Throws as `validate`, and Error{invalid_argument} for a view that is not finite.
   HiddenLines(const TriMesh& mesh, const View& view);
   ~HiddenLines();
   HiddenLines(const HiddenLines&) = delete;
   HiddenLines& operator=(const HiddenLines&) = delete;
 
   /// Gaps and stretches shorter than `least` are left out, gaps first. Expected O(log n + triangles
-  /// that cover it or are covered).
+  /// that cover it or are covered). Throws Error{invalid_argument} for what is not finite.
   [[nodiscard]] SeenLine seen(std::span<const Vec3> polyline, double least) const;
 
  private:

@@ -22,7 +22,8 @@ struct InteriorPoint {
 [[nodiscard]] std::vector<std::optional<InteriorPoint>> interior_points(const Rounded& solid);
 
 /// How often closed surfaces of finite coordinates wind about the point, exactly: 0 outside. Of a
-/// point on a face it says either what is in front of it or what is behind. O(triangles).
+/// point on a face it says either what is in front of it or what is behind. O(n). Throws as
+/// `validate`, and Error{invalid_argument} for a point that is not finite.
 [[nodiscard]] int winding_number(const TriMesh& mesh, const Vec3& point);
 
 }  // namespace dupin

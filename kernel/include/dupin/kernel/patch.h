@@ -8,6 +8,12 @@
 
 namespace dupin {
 
+/// Throws Error{invalid_argument} for corners of no point, and for labels that are not one for each
+/// triangle or have no name. O(n).
+void require_indices(const TriMesh& mesh);
+/// The same, and for coordinates that are not finite.
+void validate(const TriMesh& mesh);
+
 /// The triangles of a mesh that carry one label. Measured in doubles; lengths are the mesh's.
 struct Patch {
   std::string name;  ///< empty where nothing is labelled
@@ -19,9 +25,8 @@ struct Patch {
   Vec3 vector_area = Vec3::Zero();
 };
 
-/// One for each label that triangles carry, in the order of the mesh's names. O(n). Throws
-/// Error{invalid_argument} for corners of no point, and for labels that are not one for each
-/// triangle or have no name.
+/// One for each label that triangles carry, in the order of the mesh's names. O(n). Throws as
+/// `require_indices`.
 [[nodiscard]] std::vector<Patch> patches_of(const TriMesh& mesh);
 
 }  // namespace dupin

@@ -67,8 +67,8 @@ void validate(const Ring& ring);
 /// parameter u of cos u radius axis + sin u across (normal x axis).
 ///
 /// `sample(flipped(r), s)` is the same point set, bitwise, in reverse order (index 0 stays): two
-/// parts that share a ring share its vertices. Requires a valid ring and at least 3 segments;
-/// throws Error{invalid_argument} otherwise.
+/// parts that share a ring share its vertices. Requires a valid ring, at least 3 segments, and a
+/// phase and a grid that are finite; throws Error{invalid_argument} otherwise.
 [[nodiscard]] std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling);
 
 /// `point` moved to the nearest multiple of `grid` per coordinate, ties to even; unchanged for grid

@@ -20,7 +20,8 @@ struct WallPlace {
 /// `most_angle`, in radians, of being the opposite one. Edges where the solid tapers off are so
 /// left out. Of more than `most_ways` triangles, equally many for each label are tried. By label;
 /// none where nothing was found. For looking, in doubles: nothing is proved. Expected
-/// O(most_ways log n).
+/// O(most_ways log n). Throws as `require_indices`, and Error{invalid_argument} for an angle that
+/// is not finite.
 [[nodiscard]] std::vector<WallPlace> thinnest_walls(const TriMesh& mesh,
                                                     std::size_t most_ways = 20'000,
                                                     double most_angle = 0.45);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -242,6 +243,18 @@ TEST(BuildDistricts, are_asked_for_by_their_numbers) {
     EXPECT_EQ(test::message_of(ask, Errc::invalid_argument),
               "there is no district 2; the last is 1");
   }
+}
+
+// One that was moved from had no plan: whatever was asked of it ended the program.
+TEST(BuildDistricts, moved_ones_stay_what_they_are) {
+  DistrictBuild plan(crosses(2));
+  const DistrictBuild moved(std::move(plan));
+  EXPECT_EQ(plan.size(), moved.size());  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(plan.build(1).solid.volume(), moved.build(1).solid.volume());
+  DistrictBuild other(crosses(3));
+  plan = std::move(other);
+  EXPECT_EQ(plan.size(), other.size());  // NOLINT(bugprone-use-after-move)
+  EXPECT_THROW((void)DistrictBuild(crosses(1), {.most_of_piece = std::nan("")}), Error);
 }
 
 }  // namespace
