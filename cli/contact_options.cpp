@@ -5,7 +5,6 @@
 #include <CLI/App.hpp>
 
 #include "dupin/kernel/contacts.h"
-#include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "exit_code.h"
 #include "length.h"
@@ -48,17 +47,9 @@ Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& repo
   if ((!is_bridge && choice.kind != ContactChoice::Kind::separate) || solid.contacts().empty()) {
     return solid;
   }
-  try {
-    Settled settled = is_bridge ? bridge(solid, choice.length) : separate(solid, choice.length);
-    report.settled = {is_bridge ? "bridge" : "separate", choice.length,
-                      std::move(settled.contacts)};
-    return settled.solid;
-  } catch (const Error& error) {
-    if (error.code() != Errc::invalid_argument) {
-      throw;
-    }
-    throw Error(Errc::contact, error.message());  // of the length: nothing is wrong with the input
-  }
+  Settled settled = is_bridge ? bridge(solid, choice.length) : separate(solid, choice.length);
+  report.settled = {is_bridge ? "bridge" : "separate", choice.length, std::move(settled.contacts)};
+  return settled.solid;
 }
 
 Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,

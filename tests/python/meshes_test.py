@@ -390,6 +390,17 @@ def test_what_cannot_change_is_its_own_copy_and_meshes_are_pickled(box):
     assert np.array_equal(back.labels, labelled.labels)
 
 
+@pytest.mark.parametrize("settle", [dupin.Solid.separate, dupin.Solid.bridge])
+def test_lengths_that_contacts_cannot_be_settled_within_are_told_apart(settle, box):
+    touching = dupin.union(box(), box((1, 1, 1), (2, 2, 2)))
+    assert touching.contacts and not settle(touching, 0.1).contacts
+    with pytest.raises(dupin.errors.ContactRefused, match="the length must be above"):
+        settle(touching, 1e-30)
+    for length in (0, -1, float("nan"), float("inf")):
+        with pytest.raises(dupin.errors.InvalidArgument, match="positive and finite"):
+            settle(touching, length)
+
+
 class Own(dupin.Solid):
     def __init__(self):  # and not that of the solid
         pass

@@ -62,17 +62,21 @@ Solid unite_with(const Solid& solid, std::span<const Solid> tools, const Boolean
 }
 
 Settled settle(const Solid& solid, double size, const Progress& progress, Operation operation) {
+  if (!(size > 0 && std::isfinite(size))) {
+    throw Error(Errc::invalid_argument,
+                "contacts are settled within a length that is positive and finite, not " +
+                    decimal(size, kMessageDigits));
+  }
   if (solid.contacts().empty()) {
     return {solid, {}};
   }
   // Far above the error of the tools' corners, a few units in the last place of a coordinate.
   const double smallest = 0x1p-32 * largest_coordinate(solid);
-  if (!std::isfinite(size) || size <= smallest) {
-    throw Error(Errc::invalid_argument, "contacts cannot be settled within " +
-                                            decimal(size, kMessageDigits) +
-                                            "; with coordinates this large, the length must be "
-                                            "above " +
-                                            decimal(smallest, kMessageDigits));
+  if (size <= smallest) {
+    throw Error(Errc::contact, "contacts cannot be settled within " +
+                                   decimal(size, kMessageDigits) +
+                                   "; with coordinates this large, the length must be above " +
+                                   decimal_at_most(smallest));
   }
   // New contacts arise only where tools happen to end on something: then smaller ones do not.
   constexpr int kAttempts = 4;

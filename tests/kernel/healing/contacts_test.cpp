@@ -1,9 +1,12 @@
 #include "dupin/kernel/contacts.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -73,12 +76,22 @@ TEST(Contacts, of_a_solid_without_any_need_no_settling) {
 }
 
 TEST(Contacts, are_not_settled_within_a_length_that_coordinates_hardly_hold) {
-  for (const double length : {0.0, -1.0, 1e-12}) {
-    try {
-      (void)separate(cubes(kVertex), length);
-      FAIL() << "should have thrown";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), Errc::invalid_argument);
+  for (const auto settle : {separate, bridge}) {
+    EXPECT_NE(test::message_of([&] { (void)settle(cubes(kVertex), 1e-12, {}); }, Errc::contact)
+                  .find("the length must be above 9.31323e-10"),
+              std::string::npos);
+  }
+}
+
+TEST(Contacts, are_settled_within_lengths_that_are_positive_whether_there_are_any_or_none) {
+  const Solid cube = Solid::from(test::box(Vec3::Zero(), Vec3::Constant(2)));
+  for (const double length : {0.0, -1.0, std::nan(""), double(INFINITY)}) {
+    for (const auto settle : {separate, bridge}) {
+      for (const Solid& solid : {cubes(kVertex), cube}) {
+        EXPECT_NE(test::message_of([&] { (void)settle(solid, length, {}); }, Errc::invalid_argument)
+                      .find("positive and finite"),
+                  std::string::npos);
+      }
     }
   }
 }

@@ -17,8 +17,9 @@ struct Settled {
 /// touched there is apart. In the sources, the given solid is operand 0; labels of new faces are
 /// "contact". A solid without contacts comes back as it is.
 ///
-/// Throws Error{invalid_argument} if `distance` is not above 2^-32 of the largest coordinate,
-/// Error{contact} if the solid still touches itself, and what subtract() throws.
+/// Throws Error{invalid_argument} if `distance` is not positive and finite, Error{contact} where
+/// the solid would still touch itself, as it does within less than 2^-32 of the largest coordinate,
+/// and what subtract() throws.
 [[nodiscard]] Settled separate(const Solid& solid, double distance, const Progress& progress = {});
 
 /// Adds material around each contact, all of it within `radius` of the contact: what touched there
