@@ -9,6 +9,7 @@
 #include "assembly/parts/part_kind.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/parallel.h"
 #include "surfaces/pieces/piece_measures.h"
 
 namespace dupin {
@@ -206,6 +207,7 @@ class Biller {
 }  // namespace
 
 BillOfMaterials bill_of_materials(const Assembly& assembly) {
+  const UsualArithmetic usual;
   return {assembly.source, assembly.unit, Biller(assembly).run()};
 }
 

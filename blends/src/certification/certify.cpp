@@ -559,7 +559,10 @@ bool Certificate::joined(const ClearanceClaim& claim) const {
   return at_hub || !joints(parts[claim.first], claim.second).empty();
 }
 
-CertifiedInputs certified_inputs(const Assembly& assembly) { return inputs_of(resolve(assembly)); }
+CertifiedInputs certified_inputs(const Assembly& assembly) {
+  const UsualArithmetic usual;
+  return inputs_of(resolve(assembly));
+}
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
   const UsualArithmetic usual;

@@ -6,6 +6,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/graph_file.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -94,6 +95,7 @@ Document document_of(std::string_view text, const std::string& source, DocumentK
 }
 
 Built build(Document& document, const BuildOptions& options) {
+  const UsualArithmetic usual;
   if (document.network) {
     PipeNetwork network = std::move(*document.network);
     network.assembly = std::exchange(document.assembly, {});

@@ -95,6 +95,7 @@ void require_same(const Rounded& rounded, const std::string& bytes, std::string_
 Report write_verified(const std::filesystem::path& path, const TriMesh& mesh,
                       const MeshFormat& format, const MeshHeader& header,
                       const Progress& progress) {
+  const UsualArithmetic usual;
   tell(progress, "write");
   Written written(path, mesh, format, header);
   tell(progress, "verify");

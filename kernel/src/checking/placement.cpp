@@ -283,6 +283,7 @@ Solid placed(const Solid& solid, const Placement& placement) {
 }
 
 PlacedMesh placed(const TriMesh& mesh, const Placement& placement) {
+  const UsualArithmetic usual;
   PlacedMesh result{mesh};
   for (Vec3& point : result.mesh.points) {
     if (!point.allFinite()) {

@@ -10,6 +10,7 @@
 #include "cross_check/nef.h"
 #include "cross_check/pairwise.h"
 #include "cross_check/postfix.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 
 namespace dupin {
@@ -144,22 +145,26 @@ bool has_cross_check() { return true; }
 
 Solid combine_by(CrossCheckEngine engine, SetOperation operation, std::span<const Solid> operands,
                  const Progress& progress) {
+  const UsualArithmetic usual;
   return by_engine(engine, task(operation, operands), progress);
 }
 
 Solid evaluate_by(CrossCheckEngine engine, const Expression& expression,
                   const std::map<std::string, Solid>& operands, const Progress& progress) {
+  const UsualArithmetic usual;
   return by_engine(engine, task(expression, operands), progress);
 }
 
 CrossCheck second_opinion(const Solid& result, CrossCheckEngine engine, SetOperation operation,
                           std::span<const Solid> operands, const Progress& progress) {
+  const UsualArithmetic usual;
   return checked(result, engine, task(operation, operands), progress);
 }
 
 CrossCheck second_opinion(const Solid& result, CrossCheckEngine engine,
                           const Expression& expression,
                           const std::map<std::string, Solid>& operands, const Progress& progress) {
+  const UsualArithmetic usual;
   return checked(result, engine, task(expression, operands), progress);
 }
 

@@ -17,6 +17,7 @@
 
 #include "districts/box_cover.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/point_winding.h"
@@ -488,6 +489,7 @@ bool lies_in(const Rounded& rounded, const Boxes& boxes) {
 }
 
 Solid joined(std::span<const Solid> solids, std::span<const Boxes> boxes) {
+  const UsualArithmetic usual;
   require_in_boxes(solids, boxes);
   Joiner joiner(solids);
   for (const Solid& solid : solids) {
@@ -497,6 +499,7 @@ Solid joined(std::span<const Solid> solids, std::span<const Boxes> boxes) {
 }
 
 Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes) {
+  const UsualArithmetic usual;
   require_in_boxes(all, boxes);
   Rounded result;
   bool has_labels = false;

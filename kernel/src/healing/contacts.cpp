@@ -8,6 +8,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -101,10 +102,12 @@ Settled settle(const Solid& solid, double size, const Progress& progress, Operat
 }  // namespace
 
 Settled separate(const Solid& solid, double distance, const Progress& progress) {
+  const UsualArithmetic usual;
   return settle(solid, distance, progress, subtract);
 }
 
 Settled bridge(const Solid& solid, double radius, const Progress& progress) {
+  const UsualArithmetic usual;
   return settle(solid, radius, progress, unite_with);
 }
 

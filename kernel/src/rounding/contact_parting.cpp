@@ -11,6 +11,7 @@
 #include "boxes/bounds.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "rounding/edits/edit_strategy.h"
@@ -248,6 +249,7 @@ std::optional<Rounded> ContactParting::run(const Rounded& touching) const {
 namespace dupin {
 
 Rounded parted(Rounded touching, const RoundingOptions& options) {
+  const UsualArithmetic usual;
   if (touching.contacts().empty()) {
     return touching;
   }

@@ -5,6 +5,7 @@
 
 #include "dupin/kernel/contacts.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/rounding.h"
 
 namespace dupin {
@@ -41,6 +42,7 @@ std::optional<RoundedApart> separated_and_rounded(const Solid& solid, Coordinate
 
 RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
                            const RoundingOptions& options) {
+  const UsualArithmetic usual;
   if (!solid.contacts().empty()) {
     if (auto apart = separated_and_rounded(solid, coordinates, options)) {
       return *std::move(apart);

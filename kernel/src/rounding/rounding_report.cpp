@@ -2,6 +2,7 @@
 
 #include "checking/plain_solid.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/rounding.h"
 #include "rounding/rounding_options.h"
 
@@ -23,6 +24,7 @@ void require_something_left(const RoundingReport& report, std::size_t triangles,
 }
 
 Report check(const Rounded& rounded) {
+  const UsualArithmetic usual;
   if (rounded.contacts().empty()) {
     if (auto report = checking::plain_report(rounded.mesh())) {
       return std::move(*report);

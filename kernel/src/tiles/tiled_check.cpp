@@ -11,6 +11,7 @@
 #include "checking/inspection.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
@@ -462,6 +463,7 @@ class TiledCheck {
 
 Report check_in_tiles(const FacetSource& source, Scratch& scratch,
                       const TiledCheckOptions& options) {
+  const UsualArithmetic usual;
   return tiles::TiledCheck(source, scratch, options).run();
 }
 

@@ -1,5 +1,6 @@
 #include "dupin/kernel/contacts.h"
 
+#include <cfenv>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -107,6 +108,17 @@ TEST(Contacts, twice_the_length_apart_are_settled_all_the_same) {
     const Settled settled = bridge(three, length);
     EXPECT_TRUE(settled.solid.contacts().empty());
     EXPECT_EQ(settled.solid.components(), 1U);
+  }
+}
+
+TEST(Contacts, are_settled_in_the_usual_arithmetic) {
+  const Solid touching = cubes(kEdge);
+  for (const auto settle : {separate, bridge}) {
+    const Solid usual = settle(touching, 0.3, {}).solid;
+    std::fesetround(FE_UPWARD);
+    const Solid upward = settle(touching, 0.3, {}).solid;
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(usual.exact_volume(), upward.exact_volume());
   }
 }
 

@@ -237,6 +237,7 @@ struct DistrictBuild::Plan {
 };
 
 DistrictBuild::DistrictBuild(const Assembly& assembly, const BuildOptions& options) {
+  const UsualArithmetic usual;
   plan_ = std::make_shared<const Plan>(assembly, options);
 }
 
@@ -295,6 +296,7 @@ double DistrictBuild::expected_triangles(std::size_t district) const {
 }
 
 Built DistrictBuild::build(std::size_t district, const Progress& progress) const {
+  const UsualArithmetic usual;
   BuildOptions options = plan_->options;
   options.progress = progress;
   return assembly::built_district(
@@ -303,6 +305,7 @@ Built DistrictBuild::build(std::size_t district, const Progress& progress) const
 }
 
 Built DistrictBuild::joined(std::vector<Built> districts) const {
+  const UsualArithmetic usual;
   Built result;
   for (Built& built : districts) {
     add(std::move(built), result);
@@ -334,6 +337,7 @@ void DistrictBuild::refuse_too_costly() const {
 }
 
 Built DistrictBuild::build_all(const Progress& progress) const {
+  const UsualArithmetic usual;
   const std::size_t count = size();
   if (!seams().empty()) {
     throw Error(Errc::invalid_argument, "pieces with seams are not built at once");
