@@ -44,7 +44,7 @@ void print_document(const Document& document) {
   report.piping = document.piping;
   print_source(std::cout, report);
   for (const Part& part : assembly.parts) {
-    std::cout << "  " << part.name << ": " << kind(part.shape) << '\n';
+    std::cout << "  " << one_line(part.name) << ": " << kind(part.shape) << '\n';
   }
 }
 

@@ -92,7 +92,7 @@ void print_contacts(std::ostream& out, const std::vector<Contact>& contacts) {
     }
     std::string_view separator = ": ";
     for (const std::string& name : contact.names) {
-      out << separator << (name.empty() ? "(no name)" : name);
+      out << separator << (name.empty() ? "(no name)" : one_line(name));
       separator = ", ";
     }
     out << '\n';
@@ -181,9 +181,23 @@ std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
+std::string one_line(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string line;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      line += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
 void print_row(std::ostream& out, std::string_view label, std::string_view value) {
   const std::size_t gap = std::max<std::size_t>(kLabelWidth, label.size() + 1) - label.size();
-  out << label << std::string(gap, ' ') << value << '\n';
+  out << label << std::string(gap, ' ') << one_line(value) << '\n';
 }
 
 std::string placement_text(bool is_exact, double largest_move, std::string_view unit) {

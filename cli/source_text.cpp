@@ -45,10 +45,11 @@ void print_joints(std::ostream& out, const PcfReport& piping, JointState state) 
   }
   for (const PipingJoint& joint : joints) {
     if (joint.state == state) {
-      out << "  " << joint.components[0] << " to " << joint.components[1] << " (lines "
-          << joint.lines[0] << ", " << joint.lines[1] << "): " << number(joint.distance)
-          << " mm apart, step " << number(joint.step) << " mm, kink " << number(joint.kink)
-          << " rad" << (joint.part.empty() ? "" : "; part " + joint.part) << '\n';
+      out << "  " << one_line(joint.components[0]) << " to " << one_line(joint.components[1])
+          << " (lines " << joint.lines[0] << ", " << joint.lines[1]
+          << "): " << number(joint.distance) << " mm apart, step " << number(joint.step)
+          << " mm, kink " << number(joint.kink) << " rad"
+          << (joint.part.empty() ? "" : "; part " + one_line(joint.part)) << '\n';
     }
   }
 }

@@ -50,5 +50,14 @@ TEST_F(MeshCommands, info_says_what_becomes_of_a_graph) {
   EXPECT_EQ(dupin({"info", example("frame.graph"), "--unit", "mile"}).exit_code, 2);
 }
 
+// Of a document that nothing else takes, too.
+TEST_F(MeshCommands, info_shows_names_on_one_line_without_control_characters) {
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": [
+      {"name": "a\nb\u001b[31m\u007f", "sphere": {"center": [0, 0, 0], "radius": 1}}]})");
+  const ProcessResult document = dupin({"info", "a.json"});
+  EXPECT_EQ(document.exit_code, 0) << document.err;
+  EXPECT_THAT(document.out, HasSubstr("\n  a\\x0ab\\x1b[31m\\x7f: sphere\n"));
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -34,6 +34,17 @@ TEST(ReportText, values_stand_in_a_column) {
   EXPECT_EQ(out.str(), "volume               8\na label that is longer 9\n");
 }
 
+TEST(ReportText, values_are_one_line_whatever_is_in_them) {
+  std::ostringstream out;
+  print_row(out, "label", "a\tb\nc\x1b[31m\x7f \xc3\xa9");
+  EXPECT_EQ(out.str(), "label                a\\x09b\\x0ac\\x1b[31m\\x7f \xc3\xa9\n");
+  OutputReport report;
+  report.contacts = {{Contact::Kind::vertex, Vec3::Zero(), Vec3::Zero(), {"a\nb"}}};
+  std::ostringstream output;
+  print_output(output, report, "mm");
+  EXPECT_THAT(output.str(), HasSubstr(": a\\x0ab\n"));
+}
+
 std::string text_of(const OutputReport& report, std::string_view unit) {
   std::ostringstream out;
   print_output(out, report, unit);

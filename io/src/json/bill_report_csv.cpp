@@ -13,6 +13,8 @@ class Line {
   Line& text(std::string_view value) {
     begin();
     text_ += '"';
+    // Spreadsheets take what begins so for a formula, quoted or not, and run it.
+    text_ += value.find_first_of("=+-@\t\r\n") == 0 ? "'" : "";
     for (const char c : value) {
       text_.append(c == '"' ? 2 : 1, c);
     }

@@ -91,6 +91,17 @@ void refuse_beside(const JsonNode& shape, std::string_view key, std::string_view
   }
 }
 
+// In the range of radii, about which nobody who wrote a diameter wants to read.
+double outside_of(const JsonNode& diameter) {
+  constexpr double kLeast = 2e-12, kLargest = 2e12;
+  const double outside = diameter.number();
+  if (!(outside >= kLeast && outside <= kLargest)) {
+    diameter.fail("must be a positive number between 2e-12 and 2e12, not " +
+                  decimal(outside, kMessageDigits));
+  }
+  return outside;
+}
+
 // The wall goes to what is thick: the part, or a branch of a tee.
 void give_radius(Json& own, const JsonNode& shape, Json& thick, const JsonNode& node, Unit unit) {
   if (shape.has("size") || shape.has("schedule")) {
@@ -102,7 +113,7 @@ void give_radius(Json& own, const JsonNode& shape, Json& thick, const JsonNode& 
       give_wall(thick, node, shape.at("schedule"), pipe, unit);
     }
   } else if (shape.has("outside_diameter") || shape.has("inside_diameter")) {
-    const double outside = shape.at("outside_diameter").number();
+    const double outside = outside_of(shape.at("outside_diameter"));
     refuse_beside(shape, "outside_diameter", "radius");
     own["radius"] = outside / 2;
     if (shape.has("inside_diameter")) {

@@ -76,5 +76,25 @@ TEST(BillCsv, has_as_many_cells_in_every_line_whatever_the_names) {
   EXPECT_EQ(at(3, "metal_volume_in3"), "3");
 }
 
+TEST(BillCsv, has_no_texts_that_spreadsheets_take_for_formulas) {
+  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1"}) {
+    BillReport report;
+    BillRow row;
+    row.name = name;
+    row.kind = "pipe";
+    row.remarks = {name};
+    report.bill.rows = {row};
+    report.origins = {{name, name, 1}};
+    const auto line = cells(to_csv(report)).at(1);
+    for (const std::size_t column : {std::size_t(0), std::size_t(2), line.size() - 1}) {
+      EXPECT_EQ(line.at(column), "'" + name);
+    }
+    EXPECT_EQ(line.at(1), "pipe");
+  }
+  BillReport report;
+  report.bill.rows.emplace_back().name = "a=b-c+d@e";
+  EXPECT_EQ(cells(to_csv(report)).at(1).at(0), "a=b-c+d@e");
+}
+
 }  // namespace
 }  // namespace dupin

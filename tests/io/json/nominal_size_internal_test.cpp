@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/decimal.h"
 #include "io/json/document_fault.h"
 #include "json/nominal_size.h"
 
@@ -18,13 +20,17 @@ std::string pipe(const std::string& section, const std::string& more = {}) {
                   section + "}}");
 }
 
-std::string message_of(const std::string& text) {
+std::string message_of(const auto& action) {
   try {
-    (void)parse_assembly(text, "d.json");
+    action();
   } catch (const Error& error) {
     return error.what();
   }
   return "accepted";
+}
+
+std::string message_of(const std::string& text) {
+  return message_of([&] { (void)parse_assembly(text, "d.json"); });
 }
 
 // ASME B36.10M, table 1.
@@ -67,6 +73,31 @@ TEST(NominalSize, says_what_there_is) {
               testing::HasSubstr("give either a schedule or a wall"));
   EXPECT_THAT(message_of(pipe(R"("radius": 3, "schedule": 40)")),
               testing::HasSubstr("the key 'size' is missing"));
+}
+
+TEST(NominalSize, diameters_out_of_range_are_told_by_the_key_that_was_written) {
+  for (const char* number : {"0", "-5", "1e13", "1e-300"}) {
+    EXPECT_EQ(message_of(pipe(R"("outside_diameter": )" + std::string(number))),
+              "d.json#/parts/0/pipe/outside_diameter: must be a positive number between 2e-12 and "
+              "2e12, not " +
+                  std::string(number == std::string("1e13") ? "1e+13" : number));
+  }
+  // Where a radius is refused, and no sooner.
+  for (const char* radius : {"1e-12", "1e12", "0.9e-12", "1.1e12"}) {
+    const bool is_taken = std::string(radius)[1] == 'e';
+    const double diameter = 2 * std::stod(radius);
+    const auto resolved = [&](const std::string& text) {
+      return message_of([&] { (void)resolve(parse_assembly(text, "d.json")); });
+    };
+    const std::string of_radius = resolved(pipe(R"("radius": )" + std::string(radius)));
+    const std::string of_diameter = resolved(pipe(R"("outside_diameter": )" + decimal(diameter)));
+    EXPECT_EQ(of_radius.find("must be a positive number") == std::string::npos, is_taken);
+    EXPECT_EQ(of_diameter.find("must be a positive number") == std::string::npos, is_taken);
+  }
+  EXPECT_THAT(message_of(document(R"({"name": "t", "tee": {"from": [0, 0, 0],
+                  "direction": [1, 0, 0], "length": 9, "outside_diameter": 4, "branch": {
+                  "direction": [0, 0, 1], "length": 9, "outside_diameter": -3}}})")),
+              testing::HasSubstr("/tee/branch/outside_diameter: must be"));
 }
 
 }  // namespace

@@ -34,6 +34,18 @@ TEST(PcfRecords, are_told_in_any_spelling) {
   EXPECT_EQ(all[2].attributes[0].line, 8);
 }
 
+// Some programs write text as text twice.
+TEST(PcfRecords, are_of_lines_that_end_in_several_crs_and_one_lf) {
+  const auto all =
+      records("UNITS-CO-ORDS MM\r\r\nPIPE\r\r\n  END-POINT 1 2 3\r\r\r\n  SKEY x\r\r\nBEND\r\r\n");
+  ASSERT_EQ(all.size(), 3);
+  EXPECT_EQ(all[1].head.line, 2);
+  ASSERT_EQ(all[1].attributes.size(), 2);
+  EXPECT_EQ(all[1].attributes[0].text, "1 2 3");
+  EXPECT_EQ(all[1].attributes[1].line, 4);
+  EXPECT_EQ(all[2].head.line, 5);
+}
+
 TEST(PcfRecords, keep_the_free_text_of_messages) {
   const auto all = records("MESSAGE-SQUARE\n  TEXT a\nIT SAYS PIPES\nPIPE\n");
   ASSERT_EQ(all.size(), 2);
