@@ -81,26 +81,24 @@ void continue_line(text::TextScanner& scanner) {
   }
 }
 
-/// One of which a backslash may continue the line anywhere.
-void read_long_vertex(text::TextScanner& scanner, TriMesh& mesh) {
+/// A backslash may continue its line anywhere, if the file has any.
+void read_vertex(text::TextScanner& scanner, bool has_long_lines, TriMesh& mesh) {
   Vec3 point;
   for (double& coordinate : point) {
-    continue_line(scanner);
+    if (has_long_lines) {
+      continue_line(scanner);
+    }
     coordinate = scanner.number("a coordinate");
   }
   mesh.points.push_back(point);
-  continue_line(scanner);
-  for (int extra = 0; extra < 4 && !scanner.at_line_end(); ++extra) {
-    scanner.skip_number("a weight or a colour's component");
-    continue_line(scanner);
-  }
-  scanner.end_line("the end of the line behind a vertex");
-}
-
-void read_vertex(text::TextScanner& scanner, TriMesh& mesh) {
-  mesh.points.push_back(scanner.vector("a coordinate"));
   // A weight, or a colour of three or four components.
-  for (int extra = 0; extra < 4 && !scanner.at_line_end(); ++extra) {
+  for (int extra = 0;; ++extra) {
+    if (has_long_lines) {
+      continue_line(scanner);
+    }
+    if (extra == 4 || scanner.at_line_end()) {
+      break;
+    }
     scanner.skip_number("a weight or a colour's component");
   }
   scanner.end_line("the end of the line behind a vertex");
@@ -140,7 +138,7 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   const bool has_long_lines = bytes.find('\\') != std::string_view::npos;
   for (; !scanner.at_end(); has_statements = true) {
     if (scanner.take("v")) {
-      has_long_lines ? read_long_vertex(scanner, mesh) : read_vertex(scanner, mesh);
+      read_vertex(scanner, has_long_lines, mesh);
     } else if (read_face(scanner, corners, mesh)) {
       if (!label) {
         label = labels.label(group.empty() ? "default" : group);

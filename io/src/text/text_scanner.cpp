@@ -82,10 +82,10 @@ std::string_view TextScanner::rest_of_line() {
   while (!rest.empty() && is_blank(rest.back())) {
     rest.remove_suffix(1);
   }
-  position_ = std::min(end + 1, bytes_.size());
-  if (end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] == '\n') {
-    ++position_;
-  }
+  // All CRs before an LF are of one line's end.
+  const std::size_t behind = std::min(bytes_.find_first_not_of('\r', end), bytes_.size());
+  const bool is_before_lf = behind < bytes_.size() && bytes_[behind] == '\n';
+  position_ = is_before_lf ? behind + 1 : std::min(end + 1, bytes_.size());
   return rest;
 }
 
@@ -140,6 +140,11 @@ void TextScanner::skip_number(std::string_view expected) {
     fail(expected);
   }
   (void)token();
+  // "#INF" and the like are not where a comment begins.
+  if (rest.empty() && bytes_[position_ - 1] == '.' && is_at('#')) {
+    while (!ends_token(++position_)) {
+    }
+  }
 }
 
 Vec3 TextScanner::vector(std::string_view expected) {

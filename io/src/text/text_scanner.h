@@ -109,10 +109,15 @@ class TextScanner {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
   }
   [[nodiscard]] bool is_comment(char c) const { return comment_ != '\0' && c == comment_; }
-  /// A backslash right before the line's end, which some formats have.
+  /// A backslash with nothing but blanks before the line's end, which some formats have.
   [[nodiscard]] bool continues_line(std::size_t position) const {
-    return bytes_[position] == '\\' && position + 1 < bytes_.size() &&
-           is_line_end(bytes_[position + 1]);
+    if (bytes_[position] != '\\') {
+      return false;
+    }
+    do {
+      ++position;
+    } while (position < bytes_.size() && is_blank(bytes_[position]));
+    return position < bytes_.size() && is_line_end(bytes_[position]);
   }
   [[nodiscard]] bool is_at(char c) const {
     return position_ < bytes_.size() && bytes_[position_] == c;

@@ -75,6 +75,21 @@ TEST(Obj, numbers_of_colours_may_be_none) {
       test::tetrahedron()));
 }
 
+// A backslash glued to what is before it goes on to the next line, whatever is skipped.
+TEST(Obj, weights_and_colours_may_end_in_a_backslash) {
+  const std::string rest = "v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  for (const std::string first :
+       {"v 0 0 0 1\\\n0.5 0.5\n", "v 0 0 0 1.#INF\\\n0.5\n", "v 0 0 0 -1.#IND 1\\\n0.5\n",
+        "v 0 0 0 1.#QNAN\\ \t\r\n0.5\n", "v 0 0 0 1\\ \n0.5\n", "v 0 0\\ \n0\\\t\n1\n",
+        "v 0 0 0 nan\\\r\r\n0.5\r\r\n", "v 0 0 0 -nan(ind)\\\n-nan(ind)\n", "v 0 0 0 1. #\\\n",
+        "v 0 0 0 1 1 1\\\n1\\\n\n"}) {
+    EXPECT_TRUE(test::identical(read_obj(first + rest, "x.obj"), test::tetrahedron())) << first;
+  }
+  for (const std::string first : {"v 0 0 0 1\\", "v 0 0 0 1\\ 2\n"}) {
+    EXPECT_THROW((void)read_obj(first + rest, "x.obj"), Error) << first;
+  }
+}
+
 TEST(Obj, points_without_faces_are_no_mesh) {
   test::expect_refused(
       read_obj, "x.obj",
