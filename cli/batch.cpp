@@ -115,13 +115,7 @@ class Batch {
     const std::string_view what = verdict(result);
     ++counts_[std::string(what)];
     if (common_.json) {
-      const bool has_report = what != "failed";
-      const std::string text = trimmed(has_report ? result.out : result.err);
-      std::cout << (index == 0 ? "\n" : ",\n") << "{\"file\": " << string_json(item.file)
-                << ", \"output\": " << (has_report ? string_json(item.output) : "null")
-                << ", \"exit\": " << result.exit_code << ", \""
-                << (has_report ? "report" : "failure")
-                << "\": " << (text.starts_with('{') ? text : "null") << "}";
+      std::cout << (index == 0 ? "\n" : ",\n") << result_json(item, result);
     } else if (!common_.quiet) {
       std::cout << what << std::string(10 - what.size(), ' ') << item.file
                 << (what == "failed" ? "" : " -> " + item.output) << std::endl;
@@ -222,6 +216,16 @@ std::vector<std::string> arguments_for(const CLI::App& command, const BatchItem&
   }
   words.insert(words.end(), {"-o", item.output, "--", item.file});
   return words;
+}
+
+std::string result_json(const BatchItem& item, const ChildResult& result) {
+  const bool has_report = verdict(result) != "failed";
+  const std::string text = trimmed(has_report ? result.out : result.err);
+  return "{\"file\": " + string_json(item.file) +
+         ", \"output\": " + (has_report ? string_json(item.output) : "null") +
+         ", \"exit\": " + std::to_string(result.exit_code) +
+         (has_report ? ", \"report\": " : ", \"failure\": ") +
+         (text.starts_with('{') ? text : "null") + "}";
 }
 
 ExitCode run_batch(const CLI::App& command, const std::vector<BatchItem>& items,

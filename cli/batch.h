@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "child_process.h"
 #include "commands.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -26,6 +27,9 @@ struct BatchItem {
 /// The command line that does to one document what `command` was asked to do to many.
 [[nodiscard]] std::vector<std::string> arguments_for(const CLI::App& command, const BatchItem& item,
                                                      const CommonOptions& common);
+
+/// What became of one document, as an object in JSON: file, output, exit, and report or failure.
+[[nodiscard]] std::string result_json(const BatchItem& item, const ChildResult& result);
 
 /// Builds each document by a process of its own, at most `jobs` at a time, and reports them in
 /// their order, failures again at the end. Throws UsageError for options that name one file for

@@ -1,6 +1,9 @@
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/tool.h"
 
@@ -30,8 +33,65 @@ TEST_F(Watch, builds_again_when_the_document_changes_and_goes_on_after_errors) {
   EXPECT_EQ(result.out, "3\na.json a.off err examples first out second ");
 }
 
-TEST_F(Watch, needs_a_file_that_is_there) {
-  EXPECT_EQ(dupin({"watch", "none.json", "-o", "a.stl"}).exit_code, 3);
+// The document is written in place and its time set back, as by tools that copy and unpack files.
+TEST_F(Watch, sees_changes_that_leave_size_and_time_as_they_were) {
+  const ProcessResult result =
+      shell(kPrelude + "sphere 1; touch -d '2020-01-01 12:00' a.json; " + tool_path() +
+            " watch a.json -o a.off > out 2> err & pid=$!; "
+            "until_ '[ -e a.off ]' || exit 10; cp a.off first; "
+            "until_ 'grep -q waiting err' || exit 11; "
+            "sphere 2; cat a.json > b.json; sphere 1; touch -d '2020-01-01 12:00' a.json; "
+            "until_ 'cmp -s a.off first' || exit 12; sleep 0.3; "
+            "cat b.json > a.json; touch -d '2020-01-01 12:00' a.json; "
+            "until_ '! cmp -s a.off first' || exit 13; "
+            "kill -TERM $pid; wait $pid; true");
+  EXPECT_EQ(result.exit_code, 0) << result.err << folder_.read("err") << folder_.read("out");
+}
+
+// What changes of the file is not always what is in it.
+TEST_F(Watch, does_not_build_for_a_change_of_permissions) {
+  const ProcessResult result =
+      shell(kPrelude + "sphere 1; " + tool_path() +
+            " watch a.json -o a.off > out 2> err & pid=$!; "
+            "until_ 'grep -q waiting err' || exit 10; chmod 600 a.json; sleep 1; "
+            "kill -TERM $pid; wait $pid; grep -c written out");
+  EXPECT_EQ(result.out, "1\n") << result.err << folder_.read("err");
+}
+
+TEST_F(Watch, waits_for_a_document_that_is_not_there_yet) {
+  const ProcessResult result =
+      shell(kPrelude + tool_path() +
+            " watch a.json -o a.off > out 2> err & pid=$!; "
+            "until_ 'grep -q \"there is no a.json yet\" err' || exit 10; kill -0 $pid || exit 11; "
+            "sphere 1; until_ '[ -e a.off ]' || exit 12; kill -TERM $pid; wait $pid; true");
+  EXPECT_EQ(result.exit_code, 0) << result.err << folder_.read("err") << folder_.read("out");
+}
+
+TEST_F(Watch, prints_an_object_a_line_with_json) {
+  const ProcessResult result = shell(kPrelude + tool_path() +
+                                     " watch a.json -o a.off --json > out 2> err & pid=$!; "
+                                     "until_ 'grep -q missing out' || exit 10; "
+                                     "sphere 1; until_ 'grep -q waiting out' || exit 11; "
+                                     "sphere -1; until_ 'grep -q failure out' || exit 12; "
+                                     "rm a.json; until_ 'grep -q gone out' || exit 13; [ ! -s err "
+                                     "] || exit 14; kill -TERM $pid; wait $pid; true");
+  EXPECT_EQ(result.exit_code, 0) << result.err << folder_.read("out");
+  std::istringstream lines(folder_.read("out"));
+  std::vector<nlohmann::json> said;
+  for (std::string line; std::getline(lines, line);) {
+    said.push_back(nlohmann::json::parse(line));
+    EXPECT_EQ(said.back().at("file"), "a.json");
+  }
+  ASSERT_EQ(said.size(), 6U);
+  EXPECT_EQ(said[0].at("state"), "missing");
+  EXPECT_EQ(said[1].at("output"), "a.off");
+  EXPECT_EQ(said[1].at("report").at("parts").size(), 1U);
+  EXPECT_EQ(said[2].at("state"), "waiting");
+  EXPECT_EQ(said[3].at("failure").at("error").at("code"), "invalid_argument");
+  EXPECT_EQ(said[5].at("state"), "gone");
+}
+
+TEST_F(Watch, needs_files) {
   EXPECT_EQ(dupin({"watch", "-", "-o", "a.stl"}).exit_code, 2);
   EXPECT_EQ(dupin({"watch", example("reducer.json"), "-o", "a.txt"}).exit_code, 2);
 }
