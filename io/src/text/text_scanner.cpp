@@ -45,7 +45,8 @@ bool TextScanner::at_end() {
 
 std::string_view TextScanner::peek() {
   skip_blanks();
-  std::size_t end = position_;
+  // A backslash that continues a line ends the token before it, and is one itself.
+  std::size_t end = position_ + (is_at('\\') ? 1 : 0);
   while (!ends_token(end)) {
     ++end;
   }

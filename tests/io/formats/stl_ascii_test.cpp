@@ -101,6 +101,15 @@ TEST(Stl, ascii_may_be_of_one_line) {
   EXPECT_THROW((void)read_stl_ascii(solid + facet, "x.stl"), Error) << "a facet of no solid";
 }
 
+// A backslash goes on with a line in other formats; here names end in it, as folders do.
+TEST(Stl, ascii_names_may_end_in_a_backslash) {
+  for (const std::string name : {"C:\\parts\\", "\\", "a \\", "a \\ ", "a\\\r", "\\ \\\t\r\r"}) {
+    const TriMesh mesh =
+        read_stl_ascii("solid " + name + "\n" + kFacet + "endsolid " + name + "\n", "x.stl");
+    EXPECT_EQ(mesh.triangles.size(), 1U) << name;
+  }
+}
+
 TEST(Stl, ascii_normals_may_be_no_numbers) {
   std::string text = "solid\n" + kFacet + "endsolid\n";
   text.replace(text.find("0 0 1"), 5, "nan -nan(ind) inf");

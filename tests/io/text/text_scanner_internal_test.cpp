@@ -133,5 +133,20 @@ TEST(TextScanner, knows_where_lines_end) {
   EXPECT_EQ(scanner.remaining(), 0U);
 }
 
+// Or who takes token by token never comes to the line's end.
+TEST(TextScanner, takes_a_backslash_before_a_lines_end_for_a_token) {
+  for (const std::string bytes : {"a\\\nb", "a \\\r\nb", "a\\ \t\nb", "a \\ \r\r\nb"}) {
+    text::TextScanner scanner(bytes, "x", '#');
+    EXPECT_EQ(scanner.token(), "a");
+    EXPECT_FALSE(scanner.at_line_end());
+    EXPECT_EQ(scanner.token(), "\\");
+    EXPECT_TRUE(scanner.at_line_end());
+  }
+  text::TextScanner scanner("\\a\\\\b c\\", "x");
+  EXPECT_EQ(scanner.token(), "\\a\\\\b");
+  EXPECT_EQ(scanner.token(), "c\\");
+  EXPECT_TRUE(scanner.at_end());
+}
+
 }  // namespace
 }  // namespace dupin
