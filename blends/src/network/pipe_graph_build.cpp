@@ -4,30 +4,19 @@
 #include <string>
 #include <utility>
 
-#include "assembly/bore.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "network/graph_plan.h"
+#include "network/part_fault.h"
 
 namespace dupin {
 namespace {
 
-constexpr int kMostRounds = 50;
-
-// Whether replacing a part may help.
-bool is_of_part(Errc code) {
-  return code == Errc::irregular_surface || code == Errc::infeasible_blend ||
-         code == Errc::self_intersecting || code == Errc::invalid_argument;
-}
-
 // The node or edge of the part that an error names; an arm is its node's. Empty if none.
 std::string named_part(const PipeNetwork& network, const Error& error) {
-  std::string name = error.part();
-  if (name.ends_with(assembly::kBoreSuffix)) {
-    name.resize(name.size() - assembly::kBoreSuffix.size());
-  }
-  name = name.substr(0, name.find('.'));
+  const std::string part = network::named_part(error);
+  std::string name = part.substr(0, part.find('.'));
   const bool is_known = std::ranges::count(network.assembly.parts, name, &Part::name) > 0;
   return is_known ? name : std::string();
 }
@@ -60,7 +49,7 @@ std::size_t line_of(const PipeGraph& graph, const std::string& part) {
 Error at_line(const Error& error, const PipeGraph& graph, const std::string& part,
               bool keep_going) {
   const std::size_t line = part.empty() ? 0 : line_of(graph, part);
-  const bool is_left_out = !keep_going && is_of_part(error.code());
+  const bool is_left_out = !keep_going && network::is_of_part(error.code());
   return line == 0 ? error
                    : Error(error.code(),
                            error.message() + (is_left_out ? "; --keep-going does without it" : ""),
@@ -86,8 +75,8 @@ Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork
       return build(network.assembly, build_options);
     } catch (const Error& error) {
       const std::string part = named_part(network, error);
-      if (!options.keep_going || part.empty() || !is_of_part(error.code()) ||
-          round == kMostRounds || !refuse(part, error.message(), fewer.refused)) {
+      if (!options.keep_going || part.empty() || !network::is_of_part(error.code()) ||
+          round == network::kMostRounds || !refuse(part, error.message(), fewer.refused)) {
         throw at_line(error, graph, part, options.keep_going);
       }
     }

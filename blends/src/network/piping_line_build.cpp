@@ -1,28 +1,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "assembly/bore.h"
 #include "dupin/blends/piping_line.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "network/part_fault.h"
 
 namespace dupin {
 namespace {
 
-constexpr int kMostRounds = 50;
-
-// Whether leaving out a part may help.
-bool is_of_part(Errc code) {
-  return code == Errc::irregular_surface || code == Errc::infeasible_blend ||
-         code == Errc::self_intersecting || code == Errc::invalid_argument;
-}
-
 // The component of the part that an error names.
 std::optional<std::string> named_component(const PipingNetwork& network, const Error& error) {
-  std::string name = error.part();
-  if (name.ends_with(assembly::kBoreSuffix)) {
-    name.resize(name.size() - assembly::kBoreSuffix.size());
-  }
+  const std::string name = network::named_part(error);
   const auto part = std::ranges::find(network.assembly.parts, name, &Part::name);
   if (part == network.assembly.parts.end()) {
     return std::nullopt;
@@ -39,7 +28,7 @@ Error at_line(const Error& error, const PipingLine& line, const std::optional<st
   if (!name || component == line.components.end()) {
     return error;
   }
-  const bool is_left_out = !keep_going && is_of_part(error.code());
+  const bool is_left_out = !keep_going && network::is_of_part(error.code());
   return Error(error.code(), error.message() + (is_left_out ? "; --keep-going leaves it out" : ""),
                error.part(), line.source + ":" + std::to_string(component->line));
 }
@@ -56,8 +45,9 @@ Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork&
     } catch (const Error& error) {
       const auto component = named_component(network, error);
       const bool is_chosen = options.fillet == 0 && component && component->ends_with("-fillet");
-      if ((!options.keep_going && !is_chosen) || !component || !is_of_part(error.code()) ||
-          round == kMostRounds || !fewer.refused.emplace(*component, error.message()).second) {
+      if ((!options.keep_going && !is_chosen) || !component || !network::is_of_part(error.code()) ||
+          round == network::kMostRounds ||
+          !fewer.refused.emplace(*component, error.message()).second) {
         throw at_line(error, line, component, options.keep_going);
       }
     }

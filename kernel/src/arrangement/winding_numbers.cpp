@@ -226,7 +226,7 @@ class RayCrossings {
   std::vector<std::vector<ArrangementInput::Bounds>> runs_;  // per operand
   std::vector<std::optional<OperandSlabs>> slabs_;           // of those asked about often enough
   std::vector<std::uint32_t> asked_;
-  std::vector<std::uint8_t> is_solid_;  // the latter if it is not compared with itself
+  std::vector<std::uint8_t> is_solid_;  // those not compared with themselves
 };
 
 // A point for which it may not be told whether the box contains it.
