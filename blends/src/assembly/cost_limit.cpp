@@ -275,6 +275,33 @@ std::vector<std::set<std::uint32_t>> joined_parts(const ResolvedAssembly& resolv
   return result;
 }
 
+// Of parts whose boxes touch along the axes of coordinates, and along others where these are small.
+template <class Visit>
+void for_each_near_pair(const ResolvedAssembly& resolved, const Visit& visit) {
+  std::vector<const PartSurface*> shapes;
+  for (const ResolvedPart& part : resolved.parts) {
+    shapes.push_back(&part.shape);
+  }
+  const auto boxes_along = [&](const View& axes) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const PartSurface* shape : shapes) {
+      boxes.push_back(part_box(*shape, axes));
+    }
+    return boxes;
+  };
+  const auto boxes = boxes_along({});
+  const auto axes = main_axes(shapes);
+  if (!axes) {
+    for_each_touching(boxes, visit);
+    return;
+  }
+  for_each_touching(boxes_along(*axes), [&](std::uint32_t a, std::uint32_t b) {
+    if (boxes[a].intersects(boxes[b])) {
+      visit(a, b);
+    }
+  });
+}
+
 }  // namespace
 
 void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
@@ -322,24 +349,22 @@ double expected_triangles(const Assembly& assembly, const ResolvedAssembly& reso
 double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
                           std::span<const WeldedRun> runs, double grid,
                           std::span<const RingSampling> given) {
-  const auto samplings = Estimator(resolved, runs, grid, {1, 1}, given).samplings(assembly);
   std::vector<std::size_t> run_of(resolved.parts.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (const std::uint32_t part : runs[run].parts) {
       run_of[part] = run;
     }
   }
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const ResolvedPart& part : resolved.parts) {
-    boxes.push_back(part_box(part.shape));
+  std::vector<std::optional<double>> segments(resolved.parts.size());
+  for (const auto& [part, sampling] :
+       Estimator(resolved, runs, grid, {1, 1}, given).samplings(assembly)) {
+    segments[part] = sampling.segments;
   }
   const auto joined = joined_parts(resolved);
   double triangles = 0;
-  for_each_touching(boxes, [&](std::uint32_t a, std::uint32_t b) {
-    const auto own = samplings.find(a), other = samplings.find(b);
-    if (run_of[a] != run_of[b] && !joined[a].contains(b) && own != samplings.end() &&
-        other != samplings.end()) {
-      triangles += kTrianglesPerSegment * (own->second.segments + other->second.segments);
+  for_each_near_pair(resolved, [&](std::uint32_t a, std::uint32_t b) {
+    if (run_of[a] != run_of[b] && segments[a] && segments[b] && !joined[a].contains(b)) {
+      triangles += kTrianglesPerSegment * (*segments[a] + *segments[b]);
     }
   });
   return triangles;

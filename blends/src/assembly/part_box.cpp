@@ -13,18 +13,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+Vec3 axis(const View& axes, int k) { return k == 0 ? axes.right : k == 1 ? axes.up : axes.towards; }
+
 Eigen::AlignedBox3d everywhere() { return {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}; }
 
 // Some hulls know nothing of long stretches.
 constexpr int kMostHalvings = 6;
 
 Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& discs, const ParameterInterval& stretch,
-                           int halvings) {
+                           const View& axes, int halvings) {
   const surfaces::DiscHull hull = discs.hull(stretch);
   Eigen::AlignedBox3d box;
   for (int k = 0; k < 3; ++k) {
-    box.max()[k] = surfaces::support(hull, Vec3::Unit(k));
-    box.min()[k] = -surfaces::support(hull, -Vec3::Unit(k));
+    box.max()[k] = surfaces::support(hull, axis(axes, k));
+    box.min()[k] = -surfaces::support(hull, -axis(axes, k));
   }
   if (box.min().allFinite() && box.max().allFinite()) {
     return box;
@@ -33,7 +35,7 @@ Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& discs, const ParameterInt
     return everywhere();
   }
   const auto [first, second] = surfaces::halves(stretch);
-  return box_of(discs, first, halvings + 1).merged(box_of(discs, second, halvings + 1));
+  return box_of(discs, first, axes, halvings + 1).merged(box_of(discs, second, axes, halvings + 1));
 }
 
 // Of a sphere times a weight, in R^{3,1}.
@@ -49,7 +51,7 @@ WeightedSphere half_way(const WeightedSphere& a, const WeightedSphere& b) {
 
 // Of the spheres that the piece envelops, which hold it: as far as its control spheres in all
 // directions, where their weights are positive, as they are on either half of any arc.
-Eigen::AlignedBox3d box_of_spheres(const CyclidePiece& piece) {
+Eigen::AlignedBox3d box_of_spheres(const CyclidePiece& piece, const View& axes) {
   const numbers::IntervalVec first = numbers::interval_vec(piece.first.m),
                              last = numbers::interval_vec(piece.last.m),
                              tangent = numbers::interval_vec(piece.tangent.m);
@@ -69,7 +71,8 @@ Eigen::AlignedBox3d box_of_spheres(const CyclidePiece& piece) {
       return everywhere();
     }
     for (int k = 0; k < 3; ++k) {
-      const numbers::Interval& center = sphere.center[std::size_t(k)];
+      const numbers::Interval center =
+          numbers::dot(sphere.center, numbers::interval_vec(axis(axes, k)));
       box.min()[k] = std::min(box.min()[k], ((center - sphere.radius) / sphere.weight).lower);
       box.max()[k] = std::max(box.max()[k], ((center + sphere.radius) / sphere.weight).upper);
     }
@@ -77,39 +80,62 @@ Eigen::AlignedBox3d box_of_spheres(const CyclidePiece& piece) {
   return box;
 }
 
-Eigen::AlignedBox3d box_of(const Piece& piece) {
-  const Eigen::AlignedBox3d box =
-      box_of(std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, 0);
+Eigen::AlignedBox3d box_of(const Piece& piece, const View& axes) {
+  const Eigen::AlignedBox3d box = box_of(
+      std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, axes, 0);
   const auto* cyclide = std::get_if<CyclidePiece>(&piece);
   const bool is_finite = box.min().allFinite() && box.max().allFinite();
-  return is_finite || cyclide == nullptr ? box : box_of_spheres(*cyclide);
+  return is_finite || cyclide == nullptr ? box : box_of_spheres(*cyclide, axes);
 }
 
-Eigen::AlignedBox3d box_of(const Sphere& sphere) {
+Eigen::AlignedBox3d box_of(const Sphere& sphere, const View& axes) {
   Eigen::AlignedBox3d box;
   for (int k = 0; k < 3; ++k) {
-    const numbers::Interval center = sphere.center[k];
+    const numbers::Interval center =
+        numbers::dot(numbers::interval_vec(sphere.center), numbers::interval_vec(axis(axes, k)));
     box.min()[k] = (center - numbers::Interval(sphere.radius)).lower;
     box.max()[k] = (center + numbers::Interval(sphere.radius)).upper;
   }
   return box;
 }
 
-Eigen::AlignedBox3d box_of(const Chain& chain) {
+Eigen::AlignedBox3d box_of(const Chain& chain, const View& axes) {
   if (chain.pieces.empty()) {
     return everywhere();
   }
   Eigen::AlignedBox3d box;
   for (const Piece& piece : chain.pieces) {
-    box.extend(box_of(piece));
+    box.extend(box_of(piece, axes));
   }
   return box;
 }
 
 }  // namespace
 
-Eigen::AlignedBox3d part_box(const PartSurface& surface) {
-  return std::visit([](const auto& shape) { return box_of(shape); }, surface);
+Eigen::AlignedBox3d part_box(const PartSurface& surface, const View& axes) {
+  return std::visit([&](const auto& shape) { return box_of(shape, axes); }, surface);
+}
+
+std::optional<View> main_axes(std::span<const PartSurface* const> parts) {
+  constexpr double kMuchLess = 0.75;
+  std::vector<Vec3> chords;
+  for (const PartSurface* part : parts) {
+    if (const auto* chain = std::get_if<Chain>(part)) {
+      for (const Piece& piece : chain->pieces) {
+        chords.push_back(end_ring(piece, End::end).center - end_ring(piece, End::start).center);
+      }
+    }
+  }
+  const auto axes = view_of_most(chords);
+  const auto surface = [&](const View& along) {
+    double sum = 0;
+    for (const PartSurface* part : parts) {
+      const Vec3 size = part_box(*part, along).sizes();
+      sum += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    }
+    return sum;
+  };
+  return axes && surface(*axes) < kMuchLess * surface({}) ? axes : std::nullopt;
 }
 
 }  // namespace dupin::assembly

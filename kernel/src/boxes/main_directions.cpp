@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -100,6 +101,23 @@ Eigen::Matrix3d principal_axes(std::span<const Vec3> points) {
   return axes.allFinite() ? axes : Eigen::Matrix3d::Identity();
 }
 
+std::optional<Eigen::Matrix3d> axes_along_most(std::vector<Vec3> vectors) {
+  constexpr double kRounding = 1e-20;  // of squares: what is left of vectors along the first
+  const Vec3 first = main_direction(vectors);
+  for (Vec3& vector : vectors) {
+    const double least = kRounding * vector.squaredNorm();
+    vector -= vector.dot(first) * first;
+    if (vector.squaredNorm() <= least) {
+      vector.setZero();
+    }
+  }
+  const Vec3 second = main_direction(vectors);
+  const Eigen::Matrix3d axes =
+      orthonormal(first, second.isZero(0) ? first.unitOrthogonal() : second);
+  const bool are_found = axes.row(0).squaredNorm() > 0.5 && axes.row(1).squaredNorm() > 0.5;
+  return are_found ? std::optional(axes) : std::nullopt;
+}
+
 std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
                                                std::span<const Triangle> triangles) {
   constexpr double kMuchLess = 0.75;
@@ -109,17 +127,11 @@ std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
   for (const auto& t : some) {
     edges.push_back(longest_edge(t));
   }
-  const Vec3 first = main_direction(edges);
-  for (Vec3& edge : edges) {
-    edge -= edge.dot(first) * first;
-  }
-  const Eigen::Matrix3d axes = orthonormal(first, main_direction(edges));
-  const bool are_found = axes.row(0).squaredNorm() > 0.5 && axes.row(1).squaredNorm() > 0.5;
-  if (are_found &&
-      box_surface(some, axes) < kMuchLess * box_surface(some, Eigen::Matrix3d::Identity())) {
-    return axes;
-  }
-  return std::nullopt;
+  const auto axes = axes_along_most(std::move(edges));
+  return axes && box_surface(some, *axes) <
+                     kMuchLess * box_surface(some, Eigen::Matrix3d::Identity())
+             ? axes
+             : std::nullopt;
 }
 
 }  // namespace dupin::boxes

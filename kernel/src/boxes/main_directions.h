@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -16,6 +17,11 @@ namespace dupin::boxes {
 /// Orthonormal axes, but for rounding, as rows, in which at least one point spreads most, less and
 /// least; those of coordinates where that is nothing finite. Looks at some points only: O(1).
 [[nodiscard]] Eigen::Matrix3d principal_axes(std::span<const Vec3> points);
+
+/// Orthonormal axes, but for rounding, as rows: the first along most of the vectors, by length and
+/// either way round, the second along most of what these have across the first; none where no
+/// vector has a length. O(n).
+[[nodiscard]] std::optional<Eigen::Matrix3d> axes_along_most(std::vector<Vec3> vectors);
 
 /// Orthonormal axes, but for rounding, as rows, along which boxes around the triangles have much
 /// less surface than along the coordinate axes; none if such are not found. The first has most of

@@ -11,11 +11,8 @@
 #include <string>
 #include <utility>
 
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include "districts/box_cover.h"
+#include "districts/boxes_in_tree.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
@@ -27,33 +24,11 @@
 namespace dupin {
 namespace {
 
-using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using TreeBox = boost::geometry::model::box<TreePoint>;
-using TreeEntry = std::pair<TreeBox, std::uint32_t>;
-using Tree = boost::geometry::index::rtree<TreeEntry, boost::geometry::index::rstar<16>>;
-
-/// The tree takes finite coordinates whose sums are finite, too: what is beyond these touches all
-/// that is.
-constexpr double kFarthest = 1e300;
-
-TreePoint tree_point(const Vec3& p) {
-  return {std::clamp(p.x(), -kFarthest, kFarthest), std::clamp(p.y(), -kFarthest, kFarthest),
-          std::clamp(p.z(), -kFarthest, kFarthest)};
-}
-TreeBox tree_box(const Eigen::AlignedBox3d& box) {
-  return {tree_point(box.min()), tree_point(box.max())};
-}
-
-Tree tree_of(std::span<const Eigen::AlignedBox3d> boxes) {
-  std::vector<TreeEntry> entries;
-  entries.reserve(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    if (!boxes[i].isEmpty()) {
-      entries.emplace_back(tree_box(boxes[i]), i);
-    }
-  }
-  return Tree(entries);
-}
+using districts::BoxesInTree;
+using districts::Tree;
+using districts::tree_box;
+using districts::tree_of;
+using districts::TreeEntry;
 
 /// A box that contains one triangle contains the next, most likely.
 class Containment {
@@ -118,9 +93,10 @@ bool lie_in(const std::vector<Triangle>& triangles, const Boxes& boxes,
   });
 }
 
-const Eigen::AlignedBox3d* first_full(const Boxes& boxes) {
+/// The first that is not empty; else an empty one.
+Eigen::AlignedBox3d first_full(const Boxes& boxes) {
   const auto found = std::ranges::find_if(boxes, [](const auto& box) { return !box.isEmpty(); });
-  return found == boxes.end() ? nullptr : &*found;
+  return found == boxes.end() ? Eigen::AlignedBox3d() : *found;
 }
 
 /// Whether boxes that touch none of the tree's may lie where these enclose a space: no way out
@@ -142,23 +118,24 @@ bool may_be_enclosed(const Tree& tree, const Vec3& place) {
 /// Surfaces lie in boxes, but does what they bound? Else a solid lies inside of another one, in a
 /// space that the boxes of this enclose. Within its boxes a surface may move without winding
 /// differently about a place outside of them: doubles will do.
+/// `firsts` has a box of each solid, empty if it has none.
 void require_outside(const mesh::MeshView& doubles, std::size_t number, const Vec3& origin,
-                     std::span<const Boxes> boxes) {
+                     const Boxes& own, const BoxesInTree& firsts) {
   Eigen::AlignedBox3d all;
-  for (const Eigen::AlignedBox3d& box : boxes[number]) {
+  for (const Eigen::AlignedBox3d& box : own) {
     all.extend(box);
   }
   std::optional<Tree> tree;
-  for (std::size_t other = 0; other < boxes.size(); ++other) {
-    const Eigen::AlignedBox3d* const first = other == number ? nullptr : first_full(boxes[other]);
-    if (first == nullptr || !all.contains(*first)) {
+  for (const std::uint32_t other : firsts.touching(all)) {
+    const Eigen::AlignedBox3d& first = firsts[other];
+    if (other == number || !all.contains(first)) {
       continue;
     }
-    tree = tree ? std::move(tree) : tree_of(boxes[number]);
-    if (!may_be_enclosed(*tree, first->center())) {
+    tree = tree ? std::move(tree) : tree_of(own);
+    if (!may_be_enclosed(*tree, first.center())) {
       continue;
     }
-    const Vec3 place = first->center() - origin;
+    const Vec3 place = first.center() - origin;
     if (mesh::winding_number(doubles, support::numbers_below(doubles.triangles.size()),
                              {exact::exact_vector(place), 1, Eigen::AlignedBox3d(place, place)}) !=
         0) {
@@ -204,12 +181,15 @@ void require_in_boxes(std::span<const Item> items, std::span<const Boxes> boxes)
         std::to_string(items.size()) + " solids have the boxes of " + std::to_string(boxes.size()));
   }
   require_apart(boxes);
+  Boxes firsts(boxes.size());
+  std::ranges::transform(boxes, firsts.begin(), first_full);
+  const BoxesInTree all_firsts(firsts);
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!lies_in(items[i], boxes[i])) {
       throw Error(Errc::invalid_argument,
                   "the solid " + std::to_string(i) + " does not lie in its boxes");
     }
-    require_outside(doubles_of(items[i]), i, origin_of(items[i]), boxes);
+    require_outside(doubles_of(items[i]), i, origin_of(items[i]), boxes[i], all_firsts);
   }
 }
 
@@ -347,6 +327,18 @@ void require_numbers(std::span<const Eigen::AlignedBox3d> boxes) {
   }
 }
 
+void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes,
+                       const std::function<void(std::uint32_t, std::uint32_t)>& visit) {
+  require_numbers(boxes);
+  const BoxesInTree all(boxes);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const auto near = all.touching(boxes[i]);
+    for (auto other = std::ranges::upper_bound(near, i); other != near.end(); ++other) {
+      visit(i, *other);
+    }
+  }
+}
+
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes) {
   return districts_of(boxes, {});
 }
@@ -354,8 +346,12 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes,
                                         std::span<const std::array<std::uint32_t, 2>> apart) {
   require_numbers(boxes);
-  const Tree tree = tree_of(boxes);
   std::vector<std::uint32_t> district(boxes.size(), support::kNone), open;
+  const auto tree_of_new = [&] {
+    return tree_of(boxes, [&](std::uint32_t i) { return district[i] == support::kNone; });
+  };
+  Tree tree = tree_of_new();
+  std::size_t known = 0;  // met again in the tree
   std::uint32_t count = 0;
   for (std::uint32_t first = 0; first < boxes.size(); ++first) {
     if (district[first] != support::kNone) {
@@ -372,9 +368,12 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
       }
       std::vector<TreeEntry> near;
       const auto is_new = [&](const TreeEntry& e) {
-        return district[e.second] == support::kNone &&
-               !std::ranges::binary_search(
-                   apart, std::array{std::min(own, e.second), std::max(own, e.second)});
+        if (district[e.second] != support::kNone) {
+          ++known;
+          return false;
+        }
+        return !std::ranges::binary_search(
+            apart, std::array{std::min(own, e.second), std::max(own, e.second)});
       };
       tree.query(boost::geometry::index::intersects(tree_box(box)) &&
                      boost::geometry::index::satisfies(is_new),
@@ -382,6 +381,10 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
       for (const auto& [other, number] : near) {
         district[number] = count;
         open.push_back(number);
+      }
+      if (known > boxes.size()) {  // as where all touch each other
+        tree = tree_of_new();
+        known = 0;
       }
     }
     ++count;

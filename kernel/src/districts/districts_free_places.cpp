@@ -56,6 +56,46 @@ void require_cuttable(const std::vector<std::optional<Cuttable>>& items, std::si
   }
 }
 
+/// Of an axis. Those that overlap are one, so that there are few of many things in one place.
+class TakenRanges {
+ public:
+  struct Range {
+    double from, to;
+  };
+
+  void add(double from, double to) {
+    constexpr std::size_t kFew = 64;
+    ranges_.push_back({from, to});
+    if (ranges_.size() > 2 * joined_ + kFew) {
+      join();
+    }
+  }
+
+  /// Ascending and apart.
+  [[nodiscard]] const std::vector<Range>& joined() {
+    join();
+    return ranges_;
+  }
+
+ private:
+  void join() {
+    std::ranges::sort(ranges_, {}, &Range::from);
+    std::vector<Range> result;
+    for (const Range& range : ranges_) {
+      if (result.empty() || range.from > result.back().to) {
+        result.push_back(range);
+      } else {
+        result.back().to = std::max(result.back().to, range.to);
+      }
+    }
+    ranges_ = std::move(result);
+    joined_ = ranges_.size();
+  }
+
+  std::vector<Range> ranges_;
+  std::size_t joined_ = 0;
+};
+
 }  // namespace
 
 FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
@@ -63,14 +103,15 @@ FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
     : items_(items.size()) {
   require_numbers(boxes);
   require_cuttable(items, boxes.size());
-  std::vector<std::vector<Range>> taken(items.size());
+  std::vector<TakenRanges> taken(items.size());
   const auto margin = [&](std::uint32_t i) {
     return items[i]->from - boxes[i].min()[items[i]->axis];
   };
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     if (items[i]) {
       const auto& [axis, from, to, clear] = *items[i];
-      taken[i] = {{boxes[i].min()[axis], from + clear}, {to - clear, boxes[i].max()[axis]}};
+      taken[i].add(boxes[i].min()[axis], from + clear);
+      taken[i].add(to - clear, boxes[i].max()[axis]);
       items_[i] = {from, to, clear};
       box_.extend(boxes[i]);
     }
@@ -79,19 +120,18 @@ FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)}) {
       if (own < items.size() && items[own]) {
         const int axis = items[own]->axis;
-        taken[own].push_back(
-            {boxes[other].min()[axis] - margin(own), boxes[other].max()[axis] + margin(own)});
+        taken[own].add(boxes[other].min()[axis] - margin(own),
+                       boxes[other].max()[axis] + margin(own));
       }
     }
   });
   for (std::size_t i = 0; i < taken.size(); ++i) {
-    std::ranges::sort(taken[i], {}, &Range::from);
-    double end = taken[i].empty() ? 0 : taken[i].front().to;
-    for (const Range& range : taken[i]) {
-      if (range.from - end > kLeastRoom * items_[i].clear) {
-        items_[i].free.push_back({end, range.from});
+    const auto& ranges = taken[i].joined();
+    for (std::size_t k = 1; k < ranges.size(); ++k) {
+      const double end = ranges[k - 1].to;
+      if (ranges[k].from - end > kLeastRoom * items_[i].clear) {
+        items_[i].free.push_back({end, ranges[k].from});
       }
-      end = std::max(end, range.to);
     }
   }
 }

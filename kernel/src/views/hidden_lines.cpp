@@ -7,6 +7,7 @@
 
 #include "boxes/box_quantizer.h"
 #include "boxes/box_tree.h"
+#include "boxes/main_directions.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/patch.h"
 
@@ -31,6 +32,24 @@ boxes::BoxTree tree_of(const boxes::BoxQuantizer& quantizer, const std::vector<V
     all.push_back(quantizer.around(quantizer.map(points[a], points[b], points[c])));
   }
   return boxes::BoxTree(std::span<const boxes::Box>(all));
+}
+
+std::vector<Vec3> seen_by(const View& view, const std::vector<Vec3>& points) {
+  std::vector<Vec3> result(points.size());
+  std::ranges::transform(points, result.begin(), view);
+  return result;
+}
+
+// The picture turned so that boxes around the triangles, and around lines like theirs, are small.
+View turned(const View& view, const TriMesh& mesh) {
+  std::vector<Vec3> flat = seen_by(view, mesh.points);
+  std::ranges::for_each(flat, [](Vec3& point) { point[2] = 0; });
+  const auto axes = boxes::main_directions(flat, mesh.triangles);
+  if (!axes) {
+    return view;
+  }
+  const double c = (*axes)(0, 0), s = (*axes)(0, 1);
+  return {c * view.right + s * view.up, c * view.up - s * view.right, view.towards};
 }
 
 double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -143,12 +162,12 @@ HiddenLines::HiddenLines(const TriMesh& mesh, const View& view) {
   if (!view.right.allFinite() || !view.up.allFinite() || !view.towards.allFinite()) {
     throw Error(Errc::invalid_argument, "the directions of a view must be finite");
   }
-  std::vector<Vec3> points(mesh.points.size());
-  std::ranges::transform(mesh.points, points.begin(), view);
+  const View picture = turned(view, mesh);
+  std::vector<Vec3> points = seen_by(picture, mesh.points);
   const boxes::BoxQuantizer quantizer{std::span<const Vec3>(points)};
   boxes::BoxTree tree = tree_of(quantizer, points, mesh.triangles);
   scene_ = std::make_unique<const Scene>(
-      Scene{view, std::move(points), mesh.triangles, quantizer, std::move(tree)});
+      Scene{picture, std::move(points), mesh.triangles, quantizer, std::move(tree)});
 }
 
 HiddenLines::~HiddenLines() = default;

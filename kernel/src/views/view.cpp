@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "boxes/main_directions.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -40,6 +41,11 @@ View view_along(const Vec3& direction, const std::optional<Vec3>& up) {
   }
   right.normalize();
   return {right, right.cross(*along), -*along};
+}
+
+std::optional<View> view_of_most(std::span<const Vec3> vectors) {
+  const auto axes = boxes::axes_along_most({vectors.begin(), vectors.end()});
+  return axes ? std::optional(View{axes->row(0), axes->row(1), axes->row(2)}) : std::nullopt;
 }
 
 }  // namespace dupin

@@ -64,6 +64,52 @@ TEST(PartBox, of_arms_is_finite_and_holds_them) {
   }
 }
 
+// Of pipes side by side along the diagonal of space, whose boxes along the axes of coordinates all
+// overlap.
+TEST(MainAxes, are_those_of_long_parts_askew) {
+  std::string parts;
+  const Vec3 along = Vec3::Ones().normalized(), across = Vec3(1, -1, 0).normalized();
+  const auto text = [](const Vec3& p) {
+    return "[" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) +
+           "]";
+  };
+  for (int i = 0; i < 10; ++i) {
+    const Vec3 middle = 3 * i * across;
+    parts += std::string(i == 0 ? "" : ",") + R"({"name": "p)" + std::to_string(i) +
+             R"(", "pipe": {"radius": 1, "from": )" + text(middle - (100 - i) * along) +
+             R"(, "to": )" + text(middle + (100 - i) * along) + "}}";
+  }
+  const ResolvedAssembly resolved = resolve(parse_assembly(
+      R"({"units": "mm", "tolerance": 0.01, "parts": [)" + parts + "]}", "test.json"));
+  std::vector<const PartSurface*> shapes;
+  for (const ResolvedPart& part : resolved.parts) {
+    shapes.push_back(&part.shape);
+  }
+  const auto axes = main_axes(shapes);
+  ASSERT_TRUE(axes);
+  EXPECT_NEAR(std::abs(axes->right.dot(along)), 1, 1e-6);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Eigen::AlignedBox3d box = part_box(*shapes[i], *axes);
+    EXPECT_NEAR(box.sizes()[0], 200 - 2 * double(i), 1e-3);
+    EXPECT_NEAR(box.sizes()[1], 2, 1e-3);
+    EXPECT_NEAR(box.sizes()[2], 2, 1e-3);
+  }
+}
+
+TEST(MainAxes, are_none_where_those_of_coordinates_do) {
+  const ResolvedAssembly resolved = resolve(parse_assembly(
+      R"({"units": "mm", "tolerance": 0.01, "parts": [
+          {"name": "a", "pipe": {"from": [0, 0, 0], "to": [100, 0, 0], "radius": 1}},
+          {"name": "b", "sphere": {"center": [0, 50, 0], "radius": 5}}]})",
+      "test.json"));
+  const PartSurface nothing = Chain();
+  EXPECT_FALSE(main_axes(
+      std::vector<const PartSurface*>{&resolved.parts[0].shape, &resolved.parts[1].shape}));
+  EXPECT_FALSE(main_axes(std::vector<const PartSurface*>{&resolved.parts[1].shape}));
+  EXPECT_FALSE(main_axes(std::vector<const PartSurface*>{&nothing}));
+  EXPECT_FALSE(main_axes({}));
+}
+
 TEST(PartBox, of_nothing_known_is_infinite) {
   EXPECT_EQ(part_box(Chain()).min(), Vec3(Vec3::Constant(-HUGE_VAL)));
 }

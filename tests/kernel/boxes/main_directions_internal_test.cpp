@@ -53,6 +53,25 @@ TEST(MainDirections, are_not_sought_along_coordinate_axes_or_without_long_edges)
   EXPECT_FALSE(main_directions({}, {}));
 }
 
+// What is left of vectors along one direction is rounding, which may lie along it, too.
+TEST(AxesAlongMost, are_found_where_all_vectors_are_parallel) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 direction = i == 0 ? Vec3(0.577, 0.577, 0.577) : random_unit(random);
+    std::vector<Vec3> vectors;
+    for (int k = 1; k < 40; ++k) {
+      vectors.emplace_back((k % 2 == 0 ? 1 : -1) * (100 - k / 3.0) * direction);
+    }
+    const auto axes = axes_along_most(vectors);
+    ASSERT_TRUE(axes);
+    EXPECT_NEAR(std::abs(axes->row(0).dot(direction.normalized())), 1, 1e-12);
+    EXPECT_LT((*axes * axes->transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+  }
+  EXPECT_FALSE(axes_along_most({}));
+  EXPECT_FALSE(axes_along_most({Vec3::Zero()}));
+  EXPECT_FALSE(axes_along_most({Vec3::Constant(1e300)}));
+}
+
 TEST(PrincipalAxes, are_those_in_which_points_spread_most_and_least) {
   std::mt19937 random(5);
   for (int i = 0; i < 20; ++i) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -106,6 +107,26 @@ TEST(FreePlaces, groups_are_no_heavier_than_wanted) {
   EXPECT_EQ(grouped({100, 3, 100}, std::array{pairs[2], pairs[1]}, 100),
             (std::vector<std::uint32_t>{0, 0, 2}))
       << "which is little";
+}
+
+// However many things are beside an item, and in whatever order they come.
+TEST(FreePlaces, are_between_thousands_of_things) {
+  std::mt19937 random(5);
+  std::vector<Eigen::AlignedBox3d> boxes{{Vec3(0, -1, -1), Vec3(1000, 1, 1)}};
+  std::vector<double> places;
+  for (int i = 0; i < 3000; ++i) {
+    places.push_back(std::uniform_real_distribution<double>(0, 300)(random) +
+                     (i % 2 == 0 ? 0 : 600));
+  }
+  for (const double place : places) {
+    boxes.emplace_back(Vec3(place, 0, 0), Vec3(place + 40, 5, 5));
+  }
+  const auto cuts = FreePlaces(boxes, {Cuttable{0, 0, 1000, 1}}).cuts(20);
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_GT(cuts[0].size(), 10U);
+  for (const double cut : cuts[0]) {
+    EXPECT_TRUE((cut > 340 - 1 && cut < 600) || cut > 940 - 1) << cut;
+  }
 }
 
 TEST(FreePlaces, are_of_numbers) {

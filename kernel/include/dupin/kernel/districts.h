@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,24 +32,10 @@ namespace dupin {
     std::span<const Eigen::AlignedBox3d> boxes,
     std::span<const std::array<std::uint32_t, 2>> apart);
 
-/// Calls visit(i, j) for all pairs of boxes that touch. O(n log n) and the pairs whose ranges of x
-/// do. Throws as `require_numbers`.
-template <class Visit>
-void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& visit) {
-  require_numbers(boxes);
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes[i].min().x(); });
-  for (std::size_t a = 0; a < order.size(); ++a) {
-    const Eigen::AlignedBox3d& box = boxes[order[a]];
-    for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].min().x() <= box.max().x();
-         ++b) {
-      if (box.intersects(boxes[order[b]])) {
-        visit(order[a], order[b]);
-      }
-    }
-  }
-}
+/// Calls visit(i, j) for all pairs of boxes that touch, lowest first, and pairs ascending. O(n log
+/// n) and the pairs. Throws as `require_numbers`.
+void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes,
+                       const std::function<void(std::uint32_t, std::uint32_t)>& visit);
 
 /// Whether each triangle lies in the interiors of the boxes, together, exactly. O(n) where those in
 /// the same box follow one another, and few need several. Throws as `require_numbers`.

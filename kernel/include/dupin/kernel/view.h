@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "dupin/kernel/vec.h"
 
@@ -21,5 +22,10 @@ struct View {
 /// that is the direction looked along, y. Throws Error{invalid_argument} for vectors that are not
 /// finite or zero, and for an `up` along the direction.
 [[nodiscard]] View view_along(const Vec3& direction, const std::optional<Vec3>& up = {});
+
+/// The picture in which most of the vectors are seen along `right`, by length and either way round,
+/// and of what they have across that most along `up`; none where no vector has a length. Looks at
+/// each some 30 times.
+[[nodiscard]] std::optional<View> view_of_most(std::span<const Vec3> vectors);
 
 }  // namespace dupin
