@@ -15,6 +15,7 @@
 #include "assembly/fillet_overlap.h"
 #include "assembly/filleted_runs.h"
 #include "assembly/joined_hubs.h"
+#include "assembly/part_box.h"
 #include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
@@ -385,12 +386,14 @@ class Certifier {
     result_.apart = options_.apart.value_or(default_distance(assembly_, sweeps_.size()));
     std::optional<std::vector<PartPair>> pairs;
     if (result_.apart > 0) {
+      result_.axes = directions_of_parts();
       for_each_claim(1, left_, [&](std::size_t, ClaimWork& work) {
-        pairs = certification::pairs_nearer_than(result_.apart, solids_, work);
+        pairs = certification::pairs_nearer_than(result_.apart, result_.axes, solids_, work);
       });
     }
     if (!pairs) {
       result_.apart = 0;
+      result_.axes.reset();
       pairs = all_pairs(std::uint32_t(sweeps_.size()));
     }
     allow(kWorkOfPair * pairs->size());
@@ -412,6 +415,15 @@ class Certifier {
                                   : certification::agreed(std::move(claim), result_.parts, solids_,
                                                           assembly_.tolerance, work);
     });
+  }
+
+  [[nodiscard]] std::optional<Directions> directions_of_parts() const {
+    std::vector<const PartSurface*> shapes;
+    for (const CertifiedPart& part : result_.parts) {
+      shapes.push_back(&part.shape);
+    }
+    const auto axes = assembly::main_axes(shapes);
+    return axes ? std::optional(Directions{axes->right, axes->up, axes->towards}) : std::nullopt;
   }
 
   void allow(std::uint64_t units) {
@@ -478,7 +490,8 @@ class Certifier {
     if (result_.apart > 0 && surfaces > parts) {
       std::optional<std::vector<PartPair>> near;
       for_each_claim(1, left_, [&](std::size_t, ClaimWork& work) {
-        near = certification::loop_pairs_nearer_than(result_.apart, solids_, loops_, work);
+        near = certification::loop_pairs_nearer_than(result_.apart, result_.axes, solids_, loops_,
+                                                     work);
       });
       if (near) {
         return std::move(*near);

@@ -143,21 +143,22 @@ std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid, const MeshR
 }
 
 std::optional<std::vector<verification::PartPair>> pairs_nearer_than(
-    double distance, const std::vector<Solid>& solids, ClaimWork& work) {
+    double distance, const verification::BoxAxes& axes, const std::vector<Solid>& solids,
+    ClaimWork& work) {
   std::vector<verification::PartPair> pairs;
   const bool is_told = work.holds(verification::work_for_boxes(solids.size()), [&] {
-    pairs = verification::pairs_nearer_than(distance, solids);
+    pairs = verification::pairs_nearer_than(distance, axes, solids);
     return true;
   });
   return is_told ? std::optional(std::move(pairs)) : std::nullopt;
 }
 
 std::optional<std::vector<verification::PartPair>> loop_pairs_nearer_than(
-    double distance, const std::vector<Solid>& solids, const std::vector<LoopArcs>& loops,
-    ClaimWork& work) {
+    double distance, const verification::BoxAxes& axes, const std::vector<Solid>& solids,
+    const std::vector<LoopArcs>& loops, ClaimWork& work) {
   std::vector<verification::PartPair> pairs;
   const bool is_told = work.holds(verification::work_for_boxes(solids.size() + loops.size()), [&] {
-    pairs = verification::loop_pairs_nearer_than(distance, solids, loops);
+    pairs = verification::loop_pairs_nearer_than(distance, axes, solids, loops);
     return true;
   });
   return is_told ? std::optional(std::move(pairs)) : std::nullopt;

@@ -72,11 +72,12 @@ struct MeshRooms {
 /// The pairs of parts that need a claim of their own where all others are claimed to be so far
 /// from each other; none: to tell takes too much work.
 [[nodiscard]] std::optional<std::vector<verification::PartPair>> pairs_nearer_than(
-    double distance, const std::vector<Solid>& solids, ClaimWork& work);
+    double distance, const verification::BoxAxes& axes, const std::vector<Solid>& solids,
+    ClaimWork& work);
 /// The same of pairs of a part and a loop, or two loops.
 [[nodiscard]] std::optional<std::vector<verification::PartPair>> loop_pairs_nearer_than(
-    double distance, const std::vector<Solid>& solids, const std::vector<LoopArcs>& loops,
-    ClaimWork& work);
+    double distance, const verification::BoxAxes& axes, const std::vector<Solid>& solids,
+    const std::vector<LoopArcs>& loops, ClaimWork& work);
 
 [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim, const std::vector<CertifiedPart>& parts,
                                     const std::vector<Solid>& solids, double tolerance,

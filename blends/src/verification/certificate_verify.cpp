@@ -213,6 +213,10 @@ void verify_inputs(const Certificate& certificate) {
   require(is_name(certificate.document), "", "document");
   require(is_bound(certificate.tolerance), "", "tolerance");
   require(is_bound(certificate.apart), "", "apart");
+  require(!certificate.axes ||
+              (certificate.apart > 0 &&
+               std::all_of(certificate.axes->begin(), certificate.axes->end(), is_point)),
+          "", "axes");
   std::set<std::string> names;
   for (const CertifiedPart& part : certificate.parts) {
     require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "",
@@ -310,7 +314,7 @@ void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certi
 // claimed of the others.
 void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& certificate,
                        const HubPairs& hub_pairs) {
-  const auto near = pairs_nearer_than(certificate.apart, solids);
+  const auto near = pairs_nearer_than(certificate.apart, certificate.axes, solids);
   const auto& claims = certificate.clearances;
   const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };
   verify_each(claims.size(), [&](std::size_t i) {
@@ -383,7 +387,7 @@ void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loop
 void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loops,
                               const Certificate& certificate) {
   const std::size_t parts = solids.size();
-  auto near = loop_pairs_nearer_than(certificate.apart, solids, loops.arcs);
+  auto near = loop_pairs_nearer_than(certificate.apart, certificate.axes, solids, loops.arcs);
   std::erase_if(near, [&](const PartPair& pair) { return !is_pair(pair, loops, parts); });
   const auto& claims = certificate.fillet_clearances;
   const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };

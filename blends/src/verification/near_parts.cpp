@@ -12,35 +12,59 @@
 namespace dupin::verification {
 namespace {
 
-using Box = std::array<Interval, 3>;  // of the coordinates
+using Box = IntervalVec;  // of what places are along three axes
 using Parts = std::vector<std::uint32_t>;
 
-Box joined(const Box& a, const Box& b) {
-  return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
+using UnitAxes = std::array<IntervalVec, 3>;
+
+// Where an axis has no direction, nothing is told by it.
+UnitAxes unit_axes(const Directions& axes) {
+  UnitAxes result;
+  std::transform(axes.begin(), axes.end(), result.begin(), [](const Vec3& axis) {
+    const IntervalVec w = numbers::interval_vec(axis);
+    const Interval length = numbers::norm(w);
+    return length.lower > 0 ? IntervalVec{w[0] / length, w[1] / length, w[2] / length}
+                            : everywhere();
+  });
+  return result;
 }
 
-Box box_of(const Solid& solid) {
+// Of places in space, by what they are along the axes.
+class PlaceAlong {
+ public:
+  explicit PlaceAlong(const BoxAxes& axes)
+      : axes_(axes ? std::optional(unit_axes(*axes)) : std::nullopt) {}
+
+  Box operator()(const IntervalVec& place) const {
+    return axes_ ? Box{numbers::dot(place, axes_->at(0)), numbers::dot(place, axes_->at(1)),
+                       numbers::dot(place, axes_->at(2))}
+                 : place;
+  }
+
+ private:
+  std::optional<UnitAxes> axes_;
+};
+
+Box box_of(const Solid& solid, const PlaceAlong& along) {
   std::vector<Box> boxes;
   for (double i = 0; i < solid.length(); ++i) {
-    boxes.push_back(box_of_piece(solid, i));
-  }
-  for (const Sphere& knee : solid.knees()) {
-    Box& box = boxes.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      box.at(std::size_t(k)) = Interval(knee.center[k]) + Interval(-knee.radius, knee.radius);
+    for (const auto& [center, radius] : balls_around_piece(solid, i)) {
+      boxes.push_back(box_around(along(center), radius));
     }
   }
-  return boxes.empty() ? everywhere()
-                       : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
+  for (const Sphere& knee : solid.knees()) {
+    boxes.push_back(box_around(along(numbers::interval_vec(knee.center)), knee.radius));
+  }
+  return hull_of(boxes);
 }
 
-Box box_of(const LoopArcs& loop) {
+Box box_of(const LoopArcs& loop, const PlaceAlong& along) {
   std::vector<Box> boxes;
   for (const ArcCell& cell : loop.cells) {
-    boxes.insert(boxes.end(), cell.arcs.corners.begin(), cell.arcs.corners.end());
+    std::transform(cell.arcs.corners.begin(), cell.arcs.corners.end(), std::back_inserter(boxes),
+                   along);
   }
-  return boxes.empty() ? everywhere()
-                       : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
+  return hull_of(boxes);
 }
 
 bool are_near(const Box& a, const Box& b, double distance) {
@@ -78,7 +102,7 @@ class NearPairs {
   [[nodiscard]] Box around(const Parts& parts) const {
     Box result = boxes_[parts.front()];
     for (const std::uint32_t part : parts) {
-      result = joined(result, boxes_[part]);
+      result = hull_of(result, boxes_[part]);
     }
     return result;
   }
@@ -151,10 +175,11 @@ class NearPairs {
 };
 
 // Of the parts, and room for more.
-std::vector<Box> boxes_of(const std::vector<Solid>& solids, std::size_t more) {
+std::vector<Box> boxes_of(const std::vector<Solid>& solids, const PlaceAlong& along,
+                          std::size_t more) {
   std::vector<Box> boxes(solids.size());
   (void)holds_of_all(solids.size(), [&](std::size_t i) {
-    boxes[i] = box_of(solids[i]);
+    boxes[i] = box_of(solids[i], along);
     return true;
   });
   boxes.reserve(solids.size() + more);
@@ -163,16 +188,19 @@ std::vector<Box> boxes_of(const std::vector<Solid>& solids, std::size_t more) {
 
 }  // namespace
 
-std::vector<PartPair> pairs_nearer_than(double distance, const std::vector<Solid>& solids) {
-  std::vector<Box> boxes = boxes_of(solids, 0);
+std::vector<PartPair> pairs_nearer_than(double distance, const BoxAxes& axes,
+                                        const std::vector<Solid>& solids) {
+  std::vector<Box> boxes = boxes_of(solids, PlaceAlong(axes), 0);
   return NearPairs(std::move(boxes), distance, 0).found();
 }
 
-std::vector<PartPair> loop_pairs_nearer_than(double distance, const std::vector<Solid>& solids,
+std::vector<PartPair> loop_pairs_nearer_than(double distance, const BoxAxes& axes,
+                                             const std::vector<Solid>& solids,
                                              const std::vector<LoopArcs>& loops) {
-  std::vector<Box> boxes = boxes_of(solids, loops.size());
+  const PlaceAlong along(axes);
+  std::vector<Box> boxes = boxes_of(solids, along, loops.size());
   for (const LoopArcs& loop : loops) {
-    boxes.push_back(box_of(loop));
+    boxes.push_back(box_of(loop, along));
   }
   auto pairs = NearPairs(std::move(boxes), distance, solids.size()).found();
   std::sort(pairs.begin(), pairs.end(), [&](const PartPair& a, const PartPair& b) {

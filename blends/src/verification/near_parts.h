@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "verification/loop_clearance.h"
@@ -12,16 +13,19 @@ namespace dupin::verification {
 /// Indices of two parts, the lower first.
 using PartPair = std::array<std::uint32_t, 2>;
 
-/// The pairs, ascending, of parts whose axis-parallel boxes are nearer than `distance` along every
-/// axis: two parts that are no such pair are at least so far from each other. Of a part that
+/// Along which boxes lie; none: the axes of coordinates.
+using BoxAxes = std::optional<Directions>;
+
+/// The pairs, ascending, of parts whose boxes along the axes are nearer than `distance` along every
+/// one: two parts that are no such pair are at least so far from each other. Of a part that
 /// nothing is known of there is no box, and it is near all. O(n log n) for parts that are
 /// scattered. Throws as spend().
-[[nodiscard]] std::vector<PartPair> pairs_nearer_than(double distance,
+[[nodiscard]] std::vector<PartPair> pairs_nearer_than(double distance, const BoxAxes& axes,
                                                       const std::vector<Solid>& solids);
 
 /// Of surfaces, which are parts and after them loops of fillets: the pairs with a loop, in the
 /// order of `place_of`. The box of a loop is that of its arcs' hulls.
-[[nodiscard]] std::vector<PartPair> loop_pairs_nearer_than(double distance,
+[[nodiscard]] std::vector<PartPair> loop_pairs_nearer_than(double distance, const BoxAxes& axes,
                                                            const std::vector<Solid>& solids,
                                                            const std::vector<LoopArcs>& loops);
 

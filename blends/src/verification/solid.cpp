@@ -96,7 +96,11 @@ const Solid::Looks& Solid::looks() const {
   std::call_once(looks_->found, [this] {
     const WorkLimit not_counted(kNotCounted);
     for (double i = 0; i < length(); ++i) {
-      looks_->boxes.push_back(box_of_piece(*this, i));
+      std::vector<IntervalVec> boxes;
+      for (const auto& [center, radius] : balls_around_piece(*this, i)) {
+        boxes.push_back(box_around(center, radius));
+      }
+      looks_->boxes.push_back(hull_of(boxes));
     }
     for (const Piece& piece : pieces_) {
       looks_->normals.push_back({normal_at(piece, End::start), normal_at(piece, End::end)});
@@ -144,25 +148,36 @@ IntervalVec Solid::outward(End end) const {
   return end == End::end ? normals.back()[1] : Interval(-1) * normals.front()[0];
 }
 
-IntervalVec box_of_piece(const Solid& solid, double i) {
+std::vector<PlacedBall> balls_around_piece(const Solid& solid, double i) {
   constexpr double kQuarters = 4;
-  std::optional<IntervalVec> box;
+  std::vector<PlacedBall> balls;
   for (double k = 0; k < kQuarters; ++k) {
     const auto discs = solid.discs({i + k / kQuarters, i + (k + 1) / kQuarters});
     if (!discs) {
-      return everywhere();
+      return {{everywhere(), 0}};
     }
-    const double radius = discs->radius.magnitude();
     for (const IntervalVec& center : discs->centers) {
-      IntervalVec here = center;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        here.at(axis) = here.at(axis) + Interval(-radius, radius);
-        here.at(axis) = box ? hull(box->at(axis), here.at(axis)) : here.at(axis);
-      }
-      box = here;
+      balls.push_back({center, discs->radius.magnitude()});
     }
   }
-  return *box;
+  return balls;
+}
+
+IntervalVec hull_of(const IntervalVec& a, const IntervalVec& b) {
+  return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
+}
+
+IntervalVec hull_of(const std::vector<IntervalVec>& boxes) {
+  IntervalVec all = boxes.empty() ? everywhere() : boxes.front();
+  for (const IntervalVec& box : boxes) {
+    all = hull_of(all, box);
+  }
+  return all;
+}
+
+IntervalVec box_around(const IntervalVec& center, double radius) {
+  const Interval reach(-radius, radius);
+  return {center[0] + reach, center[1] + reach, center[2] + reach};
 }
 
 std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t) {

@@ -81,9 +81,22 @@ class Solid {
 /// The angle between unit normals, from above.
 [[nodiscard]] Interval turn_between(const IntervalVec& before, const IntervalVec& after);
 
-/// A box of the discs on quarters of a piece, the number i being its place; everywhere where the
-/// numbers do not tell.
-[[nodiscard]] IntervalVec box_of_piece(const Solid& solid, double i);
+/// A ball of which the middle is within a box.
+struct PlacedBall {
+  IntervalVec center;
+  double radius = 0;
+};
+
+/// Balls that hold the discs on quarters of a piece, the number i being its place; one that is
+/// everywhere where the numbers do not tell.
+[[nodiscard]] std::vector<PlacedBall> balls_around_piece(const Solid& solid, double i);
+
+/// The box about a ball of which the middle is within a box.
+[[nodiscard]] IntervalVec box_around(const IntervalVec& center, double radius);
+
+/// The hull of boxes; everywhere if there are none.
+[[nodiscard]] IntervalVec hull_of(const std::vector<IntervalVec>& boxes);
+[[nodiscard]] IntervalVec hull_of(const IntervalVec& a, const IntervalVec& b);
 
 /// The balls of the joints with kneecaps that the stretch touches.
 [[nodiscard]] std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t);

@@ -284,6 +284,15 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
     if (!(result.apart > 0)) {
       root.at("apart").fail("must be positive");
     }
+    if (root.has("axes")) {
+      const auto axes =
+          list<Vec3>(root.at("axes"), [](const JsonNode& node) { return vec3(node); });
+      result.axes.emplace();
+      if (axes.size() != result.axes->size()) {
+        root.at("axes").fail("must be three directions");
+      }
+      std::ranges::copy(axes, result.axes->begin());
+    }
   }
   result.clearances = list<ClearanceClaim>(
       root.at("clearances"), [=](const JsonNode& node) { return clearance(node, "parts", parts); });

@@ -193,6 +193,14 @@ std::string lines(const std::vector<Element>& elements) {
   return text + (text.size() > 1 ? "\n  ]" : "]");
 }
 
+Json axes_value(const Directions& axes) {
+  Json all = Json::array();
+  for (const Vec3& axis : axes) {
+    all.push_back(json::json_value(axis));
+  }
+  return all;
+}
+
 std::string json_text(std::string_view words) {
   return Json(words).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -234,6 +242,7 @@ std::string certificate_json(const Certificate& certificate) {
            ? ""
            : ",\n  \"fillet_claims\": " + lines(certificate.fillet_claims)) +
       (certificate.apart > 0 ? ",\n  \"apart\": " + Json(certificate.apart).dump() : "") +
+      (certificate.axes ? ",\n  \"axes\": " + axes_value(*certificate.axes).dump() : "") +
       ",\n  \"clearances\": " + lines(certificate.clearances) +
       (certificate.fillets.empty()
            ? ""

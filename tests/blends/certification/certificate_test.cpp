@@ -145,12 +145,34 @@ TEST(Certificate, of_a_coil_of_many_points_bounds_its_mesh) {
   EXPECT_NO_THROW(verify(found));
 }
 
+// Boxes along the axes of coordinates are nearer than any distance to all others.
+TEST(Certificate, of_many_long_parts_askew_has_boxes_along_these) {
+  const Vec3 along = Vec3(1, 2, 3).normalized(), across = along.unitOrthogonal(),
+             up = along.cross(across);
+  Assembly assembly{"rack.json", Unit::millimetre, 0.05, {}, {}};
+  for (int i = 0; i < 81; ++i) {
+    const Vec3 middle = 3 * (i / 9) * across + 3 * (i % 9) * up;
+    assembly.parts.push_back({"p" + std::to_string(i),
+                              PipeBetween{middle - 200 * along, middle + (200 - i) * along, 1}});
+  }
+  const Certificate found = certify(assembly);
+  ASSERT_TRUE(found.axes);
+  EXPECT_NEAR(std::abs(found.axes->at(0).normalized().dot(along)), 1, 1e-9);
+  EXPECT_EQ(found.findings(), 0U);
+  EXPECT_EQ(found.clearances.size(), 0U);
+  EXPECT_NO_THROW(verify(found));
+  Certificate without = found;
+  without.axes.reset();
+  EXPECT_THROW(verify(without), Error);
+}
+
 TEST(Certificate, of_many_parts_has_claims_of_neighbours_only) {
   Assembly assembly = field_of_pipes(9);
   assembly.parts.push_back({"near", PipeBetween{{2.05, 0, 0}, {2.05, 0, 9}, 1}});
   assembly.parts.push_back({"across", PipeBetween{{10, 35, 5}, {20, 35, 5}, 1}});
   const Certificate found = certify(assembly);
   EXPECT_EQ(found.apart, 0.1) << "twice the tolerance";
+  EXPECT_FALSE(found.axes) << "parts lie along the axes of coordinates";
   EXPECT_EQ(found.findings(), 0U);
   ASSERT_EQ(found.clearances.size(), 1U);
   EXPECT_EQ(found.parts[found.clearances[0].second].name, "near");

@@ -138,6 +138,46 @@ TEST(VerifyCertificate, believes_that_parts_are_apart_whose_boxes_are) {
   EXPECT_NO_THROW(verify(c));
 }
 
+// All lies are such where boxes along other axes tell the truth, too.
+TEST(VerifyCertificate, believes_boxes_along_other_axes_if_these_are_any) {
+  Certificate c = row_of_balls(40, 3.9);
+  for (CertifiedPart& part : c.parts) {
+    auto& ball = std::get<Sphere>(part.shape);
+    ball.center = ball.center[0] * Vec3(.6, .8, 0);
+  }
+  for (ClearanceClaim& claim : c.clearances) {
+    claim.leaves[0].direction = Vec3(3, 4, 0);
+  }
+  EXPECT_THROW(verify(c), Error) << "along the axes of coordinates they are nearer";
+  const Directions axes{Vec3(3, 4, 0), Vec3(-4, 3, 0), Vec3(0, 0, 1)};
+  c.axes = axes;
+  EXPECT_NO_THROW(verify(c));
+  const auto is_refused = [](const Certificate& certificate) {
+    try {
+      verify(certificate);
+    } catch (const Error& error) {
+      return error.code() == Errc::invalid_argument;
+    }
+    return false;
+  };
+  for (const double number : {std::nan(""), HUGE_VAL, 1e300}) {
+    c.axes = axes;
+    c.axes->at(1)[2] = number;
+    EXPECT_TRUE(is_refused(c)) << number;
+  }
+  c.axes = {Vec3(4, -3, 0), Vec3(4, -3, 0), Vec3(0, 0, 1)};
+  EXPECT_TRUE(is_refused(c)) << "along these they are in one place";
+  c.axes = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  EXPECT_TRUE(is_refused(c));
+  c.axes = axes;
+  c.clearances.pop_back();
+  EXPECT_TRUE(is_refused(c)) << "a near pair is missing";
+  c = row_of_balls(2, 0);
+  EXPECT_NO_THROW(verify(c));
+  c.axes = axes;
+  EXPECT_TRUE(is_refused(c)) << "where nothing is told by boxes they say nothing";
+}
+
 TEST(VerifyCertificate, believes_of_no_two_parts_that_they_are_apart_unless_their_boxes_are) {
   using Tell = std::function<void(Certificate&)>;
   const std::vector<std::pair<std::string, Tell>> lies = {

@@ -19,6 +19,7 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/source_folder.h"
 
 namespace dupin {
@@ -288,7 +289,32 @@ TEST(Certificate, keeps_how_far_parts_without_a_claim_are_apart) {
   EXPECT_EQ(read.clearances.size(), certificate.clearances.size());
   EXPECT_NO_THROW(verify(read));
   EXPECT_EQ(certificate_json(read), text);
+  EXPECT_EQ(text.find("\"axes\""), std::string::npos);
   EXPECT_EQ(certificate_json(reducer()).find("\"apart\""), std::string::npos);
+}
+
+std::string resealed(std::string text) {
+  text.resize(text.rfind("  \"sha256\""));
+  return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
+}
+
+TEST(Certificate, keeps_the_axes_of_boxes) {
+  Certificate certificate = certify(example("header.json"), {.apart = .25});
+  certificate.axes = {Vec3(0, 0, 2), Vec3(0.1, 0, 0), Vec3(0, -1, 0)};
+  const std::string text = certificate_json(certificate);
+  const Certificate read = parse_certificate(text);
+  EXPECT_EQ(read.axes, certificate.axes);
+  EXPECT_EQ(certificate_json(read), text);
+  for (const std::string_view other : {"[[0.0,0.0,2.0],[0.1,0.0,0.0]]", "[1,2,3]", "7", "null"}) {
+    std::string changed = text;
+    const std::string_view axes = "[[0.0,0.0,2.0],[0.1,0.0,0.0],[0.0,-1.0,0.0]]";
+    const auto place = changed.find(axes);
+    ASSERT_NE(place, std::string::npos);
+    changed.replace(place, axes.size(), other);
+    EXPECT_NE(test::message_of([&] { (void)parse_certificate(resealed(changed)); }).find("axes"),
+              std::string::npos)
+        << other;
+  }
 }
 
 TEST(Certificate, leaves_what_its_limit_forbids_undecided) {
@@ -296,11 +322,6 @@ TEST(Certificate, leaves_what_its_limit_forbids_undecided) {
   EXPECT_EQ(certificate.claims[kBlend].embedded->verdict, Verdict::undecided);
   EXPECT_GT(certificate.findings(), 0u);
   EXPECT_NO_THROW(verify(certificate));
-}
-
-std::string resealed(std::string text) {
-  text.resize(text.rfind("  \"sha256\""));
-  return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
 }
 
 // What no certificate can be about: one clear error each, at its place in the document.

@@ -147,6 +147,19 @@ std::vector<Forgery> forgeries_of_pipes() {
        [](Certificate& c, const Truth&, Random& random) {
          separate(c, pair(c, "a", "b"), std::abs(hostile(random)) + 5e-324, random);
        }},
+      {"crossing pipes apart without a claim, by boxes along any axes",
+       [](Certificate& c, const Truth&, Random& random) {
+         const ClearanceClaim& crossing = pair(c, "a", "b");
+         std::erase_if(c.clearances, [&, first = crossing.first,
+                                      second = crossing.second](const ClearanceClaim& claim) {
+           return claim.first == first && claim.second == second;
+         });
+         c.apart = std::abs(hostile(random)) + 5e-324;
+         c.axes.emplace();
+         for (Vec3& axis : *c.axes) {
+           axis = Vec3(hostile(random), between(random, -1, 1), hostile(random));
+         }
+       }},
       {"a distance beside the point that both have",
        [](Certificate& c, const Truth&, Random& random) {
          pair(c, "a", "b").distance = between(random, 1e-300, 1);

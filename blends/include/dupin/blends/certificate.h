@@ -159,6 +159,9 @@ struct CertifiedInputs {
 /// Parts are those of `resolve`, then the hubs. Throws as `resolve`.
 [[nodiscard]] CertifiedInputs certified_inputs(const Assembly& assembly);
 
+/// Three directions in space, of any lengths.
+using Directions = std::array<Vec3, 3>;
+
 /// Claims about an assembly, each with what is needed to check it again: see `verify`.
 struct Certificate {
   std::string document, document_sha256;  ///< the file that the parts were read from, if any
@@ -171,6 +174,8 @@ struct Certificate {
   std::vector<std::vector<LoopClaims>> fillet_claims;  ///< one per loop of every fillet
   /// No two parts without a clearance claim of their own are closer; 0: all have one.
   double apart = 0;
+  /// Along which boxes tell that; none: along the axes of coordinates. For `apart` only.
+  std::optional<Directions> axes;
   std::vector<ClearanceClaim> clearances;  ///< ascending by their parts
   /// Of every loop and every part but the two that it joins, then of it and every later loop, loop
   /// by loop: `first` and `second` are surfaces, which are numbered parts first, then loops in the
