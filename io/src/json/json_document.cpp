@@ -160,11 +160,17 @@ Json parse_json(std::string_view text, const std::string& source) {
         "brackets are nested more than " + std::to_string(dupin::text::kDeepestJson) + " deep", {},
         source + ":" + line_and_column(text, *bracket + 1));
   }
+  const auto require_keys = [&] {
+    RepeatedKeys repeated(source);
+    (void)Json::sax_parse(text.begin(), text.end(), &repeated);
+  };
+  if (dupin::text::has_more_keys(text, kMostKeys)) {
+    require_keys();  // first: a value of so many, one looked up after the other, takes long
+  }
   Json result;
   for_each_in_parallel(2, [&](std::size_t task) {
     if (task == 0) {
-      RepeatedKeys repeated(source);
-      (void)Json::sax_parse(text.begin(), text.end(), &repeated);
+      require_keys();
     } else {
       result = parsed(text, source);
     }

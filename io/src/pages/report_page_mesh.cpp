@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "dupin/io/report_page.h"
@@ -45,16 +47,22 @@ PageSection overview(const MeshSummary& summary) {
 PageSection patch_section(const ReportPage& page) {
   PageSection section{"Patches", "", {"patch", "triangles", "area"}};
   section.is_counted = true;
+  std::map<std::string_view, std::uint32_t> label_of;
+  for (std::uint32_t i = 0; i < page.mesh.names.size(); ++i) {
+    label_of.emplace(page.mesh.names[i], i);
+  }
+  std::map<std::uint32_t, std::uint32_t> part_of;  // by label
+  for (std::uint32_t i = 0; i < page.parts.size(); ++i) {
+    for (const std::uint32_t label : page.parts[i].labels) {
+      part_of[label] = i;
+    }
+  }
   for (const Patch& patch : patches_of(page.mesh)) {
     PageRow row{{patch.name.empty() ? "(no name)" : patch.name, std::to_string(patch.triangles),
                  measure(patch.area, page.unit, 2)}};
-    const auto label = std::ranges::find(page.mesh.names, patch.name);
-    for (std::uint32_t i = 0; i < page.parts.size(); ++i) {
-      const auto& labels = page.parts[i].labels;
-      if (std::ranges::find(labels, std::uint32_t(label - page.mesh.names.begin())) !=
-          labels.end()) {
-        row.part = i;
-      }
+    if (const auto label = label_of.find(patch.name); label != label_of.end()) {
+      const auto part = part_of.find(label->second);
+      row.part = part == part_of.end() ? row.part : part->second;
     }
     section.rows.push_back(std::move(row));
   }

@@ -96,6 +96,7 @@ std::uint32_t PortTree::build(std::uint32_t begin, std::uint32_t end, std::uint3
     for (std::uint32_t i = begin; i < end; ++i) {
       leaf_[order_[i]] = index;
     }
+    look_for_least_rank(nodes_[index]);
     return index;
   }
   int axis = 0;
@@ -114,13 +115,28 @@ std::uint32_t PortTree::build(std::uint32_t begin, std::uint32_t end, std::uint3
   const std::uint32_t right = build(middle, end, index);
   nodes_[index].left = left;
   nodes_[index].right = right;
+  look_for_least_rank(nodes_[index]);
   return index;
+}
+
+void PortTree::look_for_least_rank(Node& node) const {
+  if (node.left != kNone) {
+    node.least_rank = std::min(nodes_[node.left].least_rank, nodes_[node.right].least_rank);
+    return;
+  }
+  node.least_rank = kNone;
+  for (std::uint32_t i = node.begin; i < node.end; ++i) {
+    if (held_[order_[i]]) {
+      node.least_rank = std::min(node.least_rank, rank_[order_[i]]);
+    }
+  }
 }
 
 void PortTree::remove(std::uint32_t port) {
   held_[port] = false;
   for (std::uint32_t node = leaf_[port]; node != kNone; node = nodes_[node].parent) {
     --nodes_[node].held;
+    look_for_least_rank(nodes_[node]);
   }
 }
 
@@ -136,9 +152,11 @@ bool PortTree::worth_visiting(const Node& node, const Search& search) const {
     return false;
   }
   const Vec3 closest = search.center.cwiseMax(node.low).cwiseMin(node.high);
-  return search.best == kNone
-             ? within(search.center, closest, search.reach)
-             : compare_distances(search.center, closest, search.center, best_center(search)) <= 0;
+  if (search.best == kNone) {
+    return within(search.center, closest, search.reach);
+  }
+  const int order = compare_distances(search.center, closest, search.center, best_center(search));
+  return order < 0 || (order == 0 && node.least_rank < rank_[search.best]);
 }
 
 void PortTree::visit(std::uint32_t index, Search& search) const {
@@ -151,7 +169,10 @@ void PortTree::visit(std::uint32_t index, Search& search) const {
       const Node& box = nodes_[child];
       return (search.center - search.center.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm();
     };
-    const bool left_first = outside(node.left) <= outside(node.right);
+    const auto key = [&](std::uint32_t child) {
+      return std::pair(outside(child), nodes_[child].least_rank);
+    };
+    const bool left_first = key(node.left) <= key(node.right);
     visit(left_first ? node.left : node.right, search);
     visit(left_first ? node.right : node.left, search);
     return;

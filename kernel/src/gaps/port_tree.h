@@ -44,12 +44,14 @@ class PortTree {
     std::uint32_t begin = 0, end = 0;
     std::uint32_t left = kNone, right = kNone, parent = kNone;
     std::uint32_t held = 0;
-    std::uint32_t part = kNoPart;  // that all its ports belong to
+    std::uint32_t least_rank = kNone;  // of those held
+    std::uint32_t part = kNoPart;      // that all its ports belong to
   };
   struct Search;
 
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
   [[nodiscard]] Node bounds(std::uint32_t begin, std::uint32_t end) const;
+  void look_for_least_rank(Node& node) const;
   [[nodiscard]] bool worth_visiting(const Node& node, const Search& search) const;
   [[nodiscard]] const Vec3& best_center(const Search& search) const;
   void visit(std::uint32_t node, Search& search) const;

@@ -36,5 +36,16 @@ TEST(JsonDepth, leaves_out_what_stands_in_strings) {
   EXPECT_EQ(first_too_deep("\"\\"), std::nullopt) << "cut off";
 }
 
+TEST(JsonKeys, are_counted_by_object) {
+  EXPECT_FALSE(has_more_keys(R"({"a": 1, "b": {"c": 2, "d": [{"e": 3}, {"f": 4}]}})", 2));
+  EXPECT_TRUE(has_more_keys(R"({"a": 1, "b": {"c": 2, "d": 5}, "e": 6})", 2));
+  EXPECT_TRUE(has_more_keys(R"([{}, {"a": [], "b": {}, "c": 7}])", 2));
+  EXPECT_FALSE(has_more_keys(R"({"a": ":::", ":": "\":", "b:": ":"})", 3));
+  EXPECT_FALSE(has_more_keys("", 0));
+  EXPECT_FALSE(has_more_keys("]]}}", 0));
+  EXPECT_TRUE(has_more_keys("]]}}:", 0));
+  EXPECT_TRUE(has_more_keys(nested(3 * kDeepestJson) + ":::", 2)) << "too deep, and no matter";
+}
+
 }  // namespace
 }  // namespace dupin::text
