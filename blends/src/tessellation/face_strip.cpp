@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "dupin/kernel/error.h"
@@ -34,6 +35,47 @@ double steepness(const UnrolledCurve& curve, std::size_t corner, const Vec2& dir
 }
 
 }  // namespace
+
+// The sides of an outline by columns across the axis, of which a ray along the axis looks at one.
+class FaceStrip::OutlineColumns {
+ public:
+  OutlineColumns(const std::vector<std::uint32_t>& outline, const std::vector<Vec2>& places,
+                 double around)
+      : width_(around / kColumns) {
+    Vec2 a = places[outline.back()];
+    for (const std::uint32_t corner : outline) {
+      const Vec2 b = places[corner];
+      const auto [left, right] = std::minmax({a.x(), b.x()});
+      for (double column = column_of(left); column <= column_of(right); ++column) {
+        columns_[column].push_back({a, b});
+      }
+      a = b;
+    }
+  }
+
+  [[nodiscard]] bool contain(const Vec2& place) const {
+    bool inside = false;
+    const auto column = columns_.find(column_of(place.x()));
+    if (column == columns_.end()) {
+      return false;
+    }
+    for (const auto& [a, b] : column->second) {
+      if ((a.x() <= place.x()) != (b.x() <= place.x())) {
+        const double share = (place.x() - a.x()) / (b.x() - a.x());
+        inside ^= a.y() + share * (b.y() - a.y()) < place.y();
+      }
+    }
+    return inside;
+  }
+
+ private:
+  static constexpr double kColumns = 256;  // of a turn
+
+  [[nodiscard]] double column_of(double x) const { return std::floor(x / width_); }
+
+  double width_;
+  std::map<double, std::vector<std::array<Vec2, 2>>> columns_;
+};
 
 bool FaceStrip::contains(const UnrolledCurve& hole) const {
   const Vec2& place = hole.places[inner_corner(hole)];
@@ -69,8 +111,9 @@ void FaceStrip::append_triangles(std::vector<Triangle>& triangles, const NewCorn
   refuse_nested();
   find_cut();
   append_outline(new_corner);
+  const OutlineColumns outline(polygons_.front(), places_, around_);
   for (const UnrolledCurve* hole : holes_) {
-    append_hole(*hole);
+    append_hole(*hole, outline);
   }
   const RefinedRegion region = refined_region(places_, polygons_);
   for (std::size_t i = places_.size(); i < region.points.size(); ++i) {
@@ -342,27 +385,14 @@ void FaceStrip::append_outline(const NewCorner& new_corner) {
 }
 
 // By which its places are inside: most of them, as they are rounded.
-double FaceStrip::turns_into_outline(const UnrolledCurve& hole) const {
-  const auto& outline = polygons_.front();
-  const auto is_inside = [&](const Vec2& place) {
-    bool inside = false;
-    Vec2 a = places_[outline.back()];
-    for (const std::uint32_t corner : outline) {
-      const Vec2 b = places_[corner];
-      if ((a.x() <= place.x()) != (b.x() <= place.x())) {
-        const double share = (place.x() - a.x()) / (b.x() - a.x());
-        inside ^= a.y() + share * (b.y() - a.y()) < place.y();
-      }
-      a = b;
-    }
-    return inside;
-  };
+double FaceStrip::turns_into_outline(const UnrolledCurve& hole,
+                                     const OutlineColumns& outline) const {
   const double first = std::round((cut_at_[0].x() - hole.places.front().x()) / around_);
   double turns = first;
   std::ptrdiff_t most = 0;
   for (double tried = first - 2; tried <= first + 3; ++tried) {
     const auto inside = std::ranges::count_if(hole.places, [&](const Vec2& place) {
-      return is_inside(place + Vec2(tried * around_, 0));
+      return outline.contain(place + Vec2(tried * around_, 0));
     });
     turns = inside > most ? tried : turns;
     most = std::max(most, inside);
@@ -384,11 +414,11 @@ std::uint32_t FaceStrip::add_hole_corner(std::uint32_t corner, const Vec2& place
 }
 
 // One that is not cut is between the cut and the cut a turn further on.
-void FaceStrip::append_hole(const UnrolledCurve& hole) {
+void FaceStrip::append_hole(const UnrolledCurve& hole, const OutlineColumns& outline) {
   if (std::ranges::any_of(via_, [&](const Via& via) { return via.hole == &hole; })) {
     return;
   }
-  const Vec2 shift(turns_into_outline(hole) * around_, 0);
+  const Vec2 shift(turns_into_outline(hole, outline) * around_, 0);
   std::vector<std::uint32_t> polygon;
   for (std::size_t i = 0; i < hole.corners.size(); ++i) {
     polygon.push_back(add_hole_corner(hole.corners[i], hole.places[i] + shift));

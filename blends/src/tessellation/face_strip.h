@@ -52,6 +52,8 @@ class FaceStrip {
     std::vector<std::uint32_t> left, right;
   };
 
+  class OutlineColumns;
+
   void find_cut();
   [[nodiscard]] bool find_straight_cut();
   [[nodiscard]] bool find_cut_through_holes();
@@ -63,12 +65,13 @@ class FaceStrip {
   Vec2 append_step(const Vec2& from, const Vec2& to, const NewCorner& new_corner, CutSides& sides);
   void append_via(const Via& via, const Vec2& place, CutSides& sides);
   std::uint32_t add_hole_corner(std::uint32_t corner, const Vec2& place);
-  [[nodiscard]] double turns_into_outline(const UnrolledCurve& hole) const;
+  [[nodiscard]] double turns_into_outline(const UnrolledCurve& hole,
+                                          const OutlineColumns& outline) const;
   std::uint32_t add_corner(std::uint32_t corner, const Vec2& place);
   [[nodiscard]] std::vector<std::uint32_t> once_around(const UnrolledCurve& curve,
                                                        std::size_t first, double x);
   void append_outline(const NewCorner& new_corner);
-  void append_hole(const UnrolledCurve& hole);
+  void append_hole(const UnrolledCurve& hole, const OutlineColumns& outline);
 
   const UnrolledCurve &lower_, &upper_;
   double around_;

@@ -16,7 +16,11 @@ namespace {
 using Corners = std::vector<std::uint32_t>;
 
 // The least and greatest x.
-std::pair<double, double> extent(const UnrolledCurve& curve) {
+struct Extent {
+  double left, right;
+};
+
+Extent extent(const UnrolledCurve& curve) {
   const auto [left, right] =
       std::ranges::minmax_element(curve.places, {}, [](const Vec2& p) { return p.x(); });
   return {left->x(), right->x()};
@@ -33,11 +37,14 @@ struct Across {
   Vec2 at;     // where it begins
 };
 
+constexpr double kShort = 8;  // along the axis, and in all
+
 // The shortest from one hole to the next one around, which may be itself, if it is short.
-std::optional<Across> bridge(const UnrolledCurve& one, const UnrolledCurve& next, double around) {
-  constexpr double kShort = 8, kSegment = 1;  // wider it would be too far off the face
-  const auto [one_left, one_right] = extent(one);
-  const auto [next_left, next_right] = extent(next);
+std::optional<Across> bridge(const UnrolledCurve& one, const Extent& one_extent,
+                             const UnrolledCurve& next, const Extent& next_extent, double around) {
+  constexpr double kSegment = 1;  // wider it would be too far off the face
+  const auto [one_left, one_right] = one_extent;
+  const auto [next_left, next_right] = next_extent;
   const double ahead = ((next_left + next_right) - (one_left + one_right)) / 2;
   const double turns = &one == &next ? 1 : -std::floor(ahead / around), shift = turns * around;
   const double beside = next_left + shift - one_right;
@@ -139,7 +146,12 @@ class HoleChains {
       : holes_(holes), around_(around), up_(holes.size()), is_closed_(holes.size(), false) {
     for (std::size_t i = 0; i < holes.size(); ++i) {
       up_[i].hole = i;
+      extents_.push_back(extent(holes[i]));
+      by_low_.push_back(i);
+      // A little more: the difference, and what it is taken from, are rounded.
+      longest_ = std::max(longest_, (holes[i].high - holes[i].low) * 1.01 + kShort);
     }
+    std::ranges::stable_sort(by_low_, {}, [&](std::size_t i) { return holes[i].low; });
   }
 
   [[nodiscard]] std::vector<Side> bridges() {
@@ -182,6 +194,20 @@ class HoleChains {
     Side side;
   };
 
+  // The holes, ascending, that reach between these along the axis, ends included.
+  [[nodiscard]] std::vector<std::size_t> near(double bottom, double top) const {
+    const auto low = [&](std::size_t hole) { return holes_[hole].low; };
+    std::vector<std::size_t> result;
+    for (auto hole = std::ranges::lower_bound(by_low_, bottom - longest_, {}, low);
+         hole != by_low_.end() && low(*hole) <= top; ++hole) {
+      if (holes_[*hole].high >= bottom) {
+        result.push_back(*hole);
+      }
+    }
+    std::ranges::sort(result);
+    return result;
+  }
+
   [[nodiscard]] Ahead first_of(std::size_t hole) const {
     Ahead result{hole};
     while (up_[result.hole].hole != result.hole) {
@@ -219,7 +245,9 @@ class HoleChains {
 
   // Whether it passes through a hole, on the way to one behind it.
   [[nodiscard]] bool is_blocked(const Side& across, const Vec2& from) const {
-    return std::ranges::any_of(holes_, [&](const UnrolledCurve& hole) {
+    const auto [bottom, top] = std::minmax({from.y(), from.y() + across.along.y()});
+    return std::ranges::any_of(near(bottom, top), [&](std::size_t number) {
+      const UnrolledCurve& hole = holes_[number];
       for (std::size_t i = 0; i < hole.corners.size(); ++i) {
         const std::size_t next = (i + 1) % hole.corners.size();
         const bool is_end = hole.corners[i] == across.from || hole.corners[i] == across.to ||
@@ -238,8 +266,8 @@ class HoleChains {
   [[nodiscard]] std::vector<Bridge> chosen() {
     std::vector<Bridge> all;
     for (std::size_t i = 0; i < holes_.size(); ++i) {
-      for (std::size_t j = 0; j < holes_.size(); ++j) {
-        const auto across = bridge(holes_[i], holes_[j], around_);
+      for (const std::size_t j : near(holes_[i].low - kShort, holes_[i].high + kShort)) {
+        const auto across = bridge(holes_[i], extents_[i], holes_[j], extents_[j], around_);
         if (across && !is_blocked(across->side, across->at)) {
           all.push_back({i, j, across->turns, across->side});
         }
@@ -257,6 +285,9 @@ class HoleChains {
 
   const std::vector<UnrolledCurve>& holes_;
   double around_;
+  std::vector<Extent> extents_;
+  std::vector<std::size_t> by_low_;
+  double longest_ = 0;  // along the axis
   std::vector<Ahead> up_;
   std::vector<bool> is_closed_;  // about the axis, of the first of each set
 };
