@@ -129,10 +129,38 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
   }
 }
 
+/// Of what nothing is proved of, nothing is said by a bound of the others.
+std::string mesh_error_text(const Certificate& certificate) {
+  double error = 0;
+  std::size_t proved = 0, open = 0;
+  const auto include = [&](const std::optional<MeshClaim>& mesh) {
+    error = std::max(error, mesh ? mesh->error_bound : 0);
+    ++(mesh ? proved : open);
+  };
+  for (const PartClaims& claims : certificate.claims) {
+    include(claims.mesh);
+  }
+  for (const auto& loops : certificate.fillet_claims) {
+    for (const LoopClaims& claims : loops) {
+      include(claims.mesh);
+    }
+  }
+  if (proved == 0 && open > 0) {
+    return "not proved";
+  }
+  const std::string unit = unit_of(certificate);
+  return "at most " + number(error) + unit +
+         (error > certificate.tolerance
+              ? ", which does not prove that it keeps to the tolerance, " +
+                    number(certificate.tolerance) + unit
+              : "") +
+         (open > 0 ? ", but for " + std::to_string(open) + " not proved" : "");
+}
+
 void print_certificate(std::ostream& out, const Certificate& certificate) {
   const RegularClaim* tightest = nullptr;
   std::string tightest_name;
-  double error = 0, contact = 0, deviation = 0;
+  double contact = 0, deviation = 0;
   const auto include = [&](const RegularClaim& regular, const std::string& name) {
     if (regular.verdict == Verdict::proved &&
         (tightest == nullptr || regular.margin < tightest->margin)) {
@@ -142,14 +170,12 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   };
   for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
     const PartClaims& claims = certificate.claims[i];
-    error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
     if (claims.regular) {
       include(*claims.regular, certificate.parts[i].name);
     }
   }
   for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
     for (const LoopClaims& claims : certificate.fillet_claims[i]) {
-      error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
       contact = std::max(contact, claims.contact.offset);
       deviation = std::max(deviation, claims.contact.deviation);
       include(claims.regular, certificate.fillets[i].name);
@@ -174,12 +200,7 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
     print_row(out, "smallest margin",
               "above " + number(tightest->margin) + " (" + tightest_name + ")");
   }
-  print_row(out, "mesh error",
-            "at most " + number(error) + unit +
-                (error > certificate.tolerance
-                     ? ", which does not prove that it keeps to the tolerance, " +
-                           number(certificate.tolerance) + unit
-                     : ""));
+  print_row(out, "mesh error", mesh_error_text(certificate));
   if (!certificate.fillets.empty()) {
     print_row(
         out, "fillets touch pipes",

@@ -178,6 +178,8 @@ KNOWN = {
         "without it the same derivatives are enclosed, only more widely",
     ("motion.cpp", "return {-bound.", ".lower"): ROUNDING,
     ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
+    ("solid.cpp", "return size > 0 ? size", " > "): "the box of a piece is no point",
+    ("solid.cpp", ".upper < tolerance);", " < "): SLACK,
     ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
     ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):
         "only a middle of two infinite ends is no number",

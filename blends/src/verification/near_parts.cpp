@@ -17,14 +17,13 @@ using Parts = std::vector<std::uint32_t>;
 
 using UnitAxes = std::array<IntervalVec, 3>;
 
-// Where an axis has no direction, nothing is told by it.
+// Of an axis without a direction it is the whole line, by which nothing is told.
 UnitAxes unit_axes(const Directions& axes) {
   UnitAxes result;
   std::transform(axes.begin(), axes.end(), result.begin(), [](const Vec3& axis) {
     const IntervalVec w = numbers::interval_vec(axis);
     const Interval length = numbers::norm(w);
-    return length.lower > 0 ? IntervalVec{w[0] / length, w[1] / length, w[2] / length}
-                            : everywhere();
+    return IntervalVec{w[0] / length, w[1] / length, w[2] / length};
   });
   return result;
 }

@@ -130,6 +130,20 @@ TEST(Solid, that_is_hollow_goes_on_in_another_if_their_rims_are_one) {
   EXPECT_TRUE(have_rims_apart(horn(6, .5, 1).rim(End::start), none, 0)) << "it is within";
 }
 
+// Of what is known within bounds only, the worst that is within them.
+TEST(Solid, knows_of_rims_and_normals_within_bounds) {
+  const Interval zero(0), wide(0, .5);
+  const Rim at{{zero, zero, zero}, 1, .3}, near{{wide, zero, zero}, 1, .3};
+  EXPECT_FALSE(have_rims_apart(at, near, .25)) << "they may be as far as .5 from each other";
+  EXPECT_TRUE(have_rims_apart(at, near, .3)) << "they are not needed then";
+  const Rim far{{wide, zero, zero}, 1, .7};
+  EXPECT_TRUE(have_rims_apart(at, far, .51));
+  EXPECT_FALSE(have_rims_apart(at, far, .49));
+  const numbers::IntervalVec along{1, zero, zero}, turned{Interval(.8, 1), Interval(0, .6), zero};
+  EXPECT_GE(turn_between(along, turned).upper, std::atan2(.6, .8));
+  EXPECT_LT(turn_between(along, along).upper, 1e-9);
+}
+
 TEST(Solid, knows_how_much_it_turns_at_joints) {
   const auto line = [](const Vec3& from, const Vec3& to) {
     return test::cylinder_of_bezier(from, to, 1);
