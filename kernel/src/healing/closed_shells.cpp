@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "healing/ordered_points.h"
 #include "healing/sorted_copies.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
@@ -41,6 +42,44 @@ CopyRanks rank_copies(std::span<const Triangle> triangles, std::span<const std::
     }
   }
   return copies;
+}
+
+// Per face the place of its set among all sets that are wanted, in the order of their faces; copies
+// of a set have one place. Neither the order of faces nor that of points matters.
+std::vector<std::uint32_t> places_of_sets(std::span<const Triangle> triangles,
+                                          std::span<const std::uint32_t> places_of_points,
+                                          std::span<const std::uint32_t> set_of_face,
+                                          std::span<const std::uint8_t> is_wanted) {
+  std::vector<std::uint32_t> place(triangles.size(), 0);
+  std::vector<std::pair<std::vector<Triangle>, std::vector<std::uint32_t>>> sets;
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    if (is_wanted[set_of_face[f]] == 0) {
+      continue;
+    }
+    if (set_of_face[f] == f) {  // the first of its set
+      place[f] = static_cast<std::uint32_t>(sets.size());
+      sets.emplace_back();
+    }
+    Triangle corners = triangles[f];
+    for (std::uint32_t& corner : corners) {
+      corner = places_of_points[corner];
+    }
+    std::ranges::sort(corners);
+    sets[place[set_of_face[f]]].first.push_back(corners);
+    sets[place[set_of_face[f]]].second.push_back(f);
+  }
+  for (auto& set : sets) {
+    std::ranges::sort(set.first);
+  }
+  std::ranges::sort(sets);
+  std::uint32_t at = 0;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    at += i > 0 && sets[i].first != sets[i - 1].first ? 1 : 0;
+    for (const std::uint32_t f : sets[i].second) {
+      place[f] = at;
+    }
+  }
+  return place;
 }
 
 class ShellFinder {
@@ -244,13 +283,20 @@ class ShellFinder {
                   [&](std::uint32_t h) { return std::ranges::find(paired, h) != paired.end(); });
   }
 
+  // Edge by edge, so that what one of them joins closes itself at the next: where faces lie on each
+  // other, any of them would do at each edge, but the same one has to at all.
   void join_by_angles() {
     if (open_.empty()) {
       return;
     }
+    put_in_order();
     const mesh::Shells all = mesh::shells(mesh_.triangles.size(), edges_);
     std::vector<std::optional<bool>> is_negative(all.count);
-    for (const OpenEdge& open : open_) {
+    for (OpenEdge& open : open_) {
+      drop_closed(open);
+      if (open.half_edges.empty()) {
+        continue;
+      }
       const std::uint32_t shell = all.of_face[open.half_edges.front() / 3];
       if (!is_negative[shell]) {
         const auto faces = support::selected(mesh_.triangles, all.faces_of(shell));
@@ -258,6 +304,23 @@ class ShellFinder {
       }
       join_wedges(open, *is_negative[shell]);
     }
+  }
+
+  // Edges by their ends, and what hangs together at them by its faces.
+  void put_in_order() {
+    const std::vector<std::uint32_t> places = places_by_coordinates(mesh_.points);
+    std::ranges::sort(open_, {}, [&](const OpenEdge& open) {
+      const mesh::Edge edge = edges_[open.edge];
+      return std::minmax({places[edge.low], places[edge.high]});
+    });
+    const std::vector<std::uint32_t> set_of_face = sets_.representatives();
+    std::vector<std::uint8_t> is_wanted(set_of_face.size(), 0);
+    for (const OpenEdge& open : open_) {
+      for (const std::uint32_t h : open.half_edges) {
+        is_wanted[set_of_face[h / 3]] = 1;
+      }
+    }
+    place_of_set_ = places_of_sets(mesh_.triangles, places, set_of_face, is_wanted);
   }
 
   // Faces that begin and end one level of winding pair up around the edge: above the middle level
@@ -287,16 +350,19 @@ class ShellFinder {
     }
   }
 
-  // By angle; at one angle ends come before beginnings, and copies as if each were in front of the
-  // one before.
+  // By angle; at one angle ends come before beginnings, and what lies on each other in layers that
+  // are the same at all edges: by the sets that hung together before any were joined by angles, and
+  // copies as if each were in front of the one before.
   [[nodiscard]] HalfEdges layers_around(const OpenEdge& open, bool is_negative) const {
     const mesh::Edge whole = edges_[open.edge];
     const mesh::Edge edge{whole.low, whole.high, open.half_edges};
     HalfEdges around = mesh::sorted_around(mesh_, edges_, edge);
     const auto key = [&](std::uint32_t h) {
       const bool begins = is_up(h) == is_negative;
+      const std::uint32_t set = place_of_set_[h / 3];
       const Vec3 apex = (begins ? -1 : 1) * mesh_.points[edges_.target(mesh::next_half_edge(h))];
-      return std::tuple(begins, apex.x(), apex.y(), apex.z(), begins ? ~rank(h) : rank(h));
+      return std::tuple(begins, begins ? ~set : set, apex.x(), apex.y(), apex.z(),
+                        begins ? ~rank(h) : rank(h));
     };
     for (auto begin = around.begin(); begin != around.end();) {
       const auto end = std::find_if(begin + 1, around.end(), [&](std::uint32_t h) {
@@ -313,6 +379,7 @@ class ShellFinder {
   support::DisjointSets sets_;  // of faces
   std::vector<OpenEdge> open_;
   CopyRanks copies_;
+  std::vector<std::uint32_t> place_of_set_;  // per face
 };
 
 }  // namespace

@@ -17,9 +17,10 @@ namespace dupin::healing {
 /// by the exact angles around the edge, level by level of winding: above the middle level as the
 /// surfaces of the wedges that are wound around more often, below it of those that are less often,
 /// and at it likewise by the sign of the volume of all that hangs together, so that turning
-/// everything over changes nothing.
+/// everything over changes nothing. What lies on each other there is in layers, the same at all
+/// edges.
 ///
-/// O(n) but for sorting what meets at edges of more than two faces.
+/// O(n), and O(n log n) where angles are needed.
 [[nodiscard]] mesh::Shells closed_shells(std::span<const Vec3> points,
                                          std::span<const Triangle> triangles);
 

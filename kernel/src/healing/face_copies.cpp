@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
+#include "healing/ordered_points.h"
 #include "healing/patch_counts.h"
 #include "healing/sorted_copies.h"
 #include "mesh/edge_table.h"
@@ -124,15 +124,10 @@ std::vector<std::uint8_t> find_closed(DistinctFaces& distinct, std::size_t point
 /// on how they are numbered.
 struct OrderedFaces {
   OrderedFaces(const PolygonSoup& soup, std::span<const std::uint32_t> faces) {
-    std::vector<std::uint32_t> order = support::numbers_below(soup.points.size());
-    std::vector<std::uint32_t> place(order.size());
-    std::ranges::sort(order, {}, [&](std::uint32_t i) {
-      const Vec3& p = soup.points[i];
-      return std::tuple(p.x(), p.y(), p.z(), i);
-    });
-    for (const std::uint32_t i : order) {
-      place[i] = static_cast<std::uint32_t>(points.size());
-      points.push_back(soup.points[i]);
+    const std::vector<std::uint32_t> place = places_by_coordinates(soup.points);
+    points.resize(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      points[place[i]] = soup.points[i];
     }
     for (const std::uint32_t face : faces) {
       const auto& [a, b, c] = soup.triangles[face];
