@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <numeric>
-#include <optional>
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "healing/count_descent.h"
+#include "healing/count_equations.h"
 #include "mesh/edge_table.h"
 #include "support/none.h"
 
@@ -126,37 +126,29 @@ class PatchFinder {
   Patches found_;
 };
 
-/// What the patches at an edge add up to: zero.
-struct Equation {
-  struct Term {
-    std::uint32_t patch;
-    int factor;
-  };
-  std::vector<Term> terms;
-};
-
-std::vector<Equation> find_equations(const mesh::EdgeTable& edges, const Patches& patches) {
-  std::vector<Equation> equations;
+// What the patches at each edge add up to.
+std::vector<CountEquation> find_equations(const mesh::EdgeTable& edges, const Patches& patches) {
+  std::vector<CountEquation> equations;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto along = edges[i].half_edges;
     if (along.size() == 2 || patches.of_triangle[along[0] / 3] == kNone) {
       continue;
     }
-    std::vector<Equation::Term> terms;
+    std::vector<CountEquation::Term> terms;
     for (const std::uint32_t half_edge : along) {
       terms.push_back({patches.of_triangle[half_edge / 3],
                        way(edges, half_edge) * patches.sign[half_edge / 3]});
     }
-    std::ranges::sort(terms, {}, &Equation::Term::patch);
-    Equation equation;
-    for (const Equation::Term& term : terms) {
-      if (!equation.terms.empty() && equation.terms.back().patch == term.patch) {
+    std::ranges::sort(terms, {}, &CountEquation::Term::unknown);
+    CountEquation equation;
+    for (const CountEquation::Term& term : terms) {
+      if (!equation.terms.empty() && equation.terms.back().unknown == term.unknown) {
         equation.terms.back().factor += term.factor;
       } else {
         equation.terms.push_back(term);
       }
     }
-    std::erase_if(equation.terms, [](const Equation::Term& term) { return term.factor == 0; });
+    std::erase_if(equation.terms, [](const CountEquation::Term& term) { return term.factor == 0; });
     if (!equation.terms.empty()) {
       equations.push_back(std::move(equation));
     }
@@ -164,118 +156,15 @@ std::vector<Equation> find_equations(const mesh::EdgeTable& edges, const Patches
   return equations;
 }
 
-/// Gives each patch a count, such that the equations hold if that is found.
-class Solver {
- public:
-  Solver(std::span<const Patch> patches, std::span<const Equation> equations)
-      : patches_(patches), equations_(equations), equations_of_(patches.size()) {
-    for (std::uint32_t e = 0; e < equations.size(); ++e) {
-      for (const Equation::Term& term : equations[e].terms) {
-        equations_of_[term.patch].push_back(e);
-      }
-    }
+std::vector<UnknownCount> find_unknowns(std::span<const Patch> patches) {
+  std::vector<UnknownCount> unknowns;
+  unknowns.reserve(patches.size());
+  for (const Patch& patch : patches) {
+    unknowns.push_back(
+        {patch.size, patch.least, patch.is_one_sided ? 0 : patch.most, patch.majority});
   }
-
-  /// With `trusting`, patches that are there once keep the orientation of most of their triangles,
-  /// whatever the larger ones say.
-  std::vector<int> solve(bool trusting) {
-    counts_.assign(patches_.size(), std::nullopt);
-    open_.clear();
-    for (const Equation& equation : equations_) {
-      open_.push_back(equation.terms.size());
-    }
-    const std::vector<std::uint32_t> order = by_certainty();
-    if (trusting) {
-      for (const std::uint32_t patch : order) {
-        if (is_settled(patches_[patch])) {
-          decide(patch, preferred(patches_[patch]));
-        }
-      }
-    }
-    for (std::uint32_t e = 0; e < equations_.size(); ++e) {
-      follow(e);
-    }
-    propagate();
-    for (const std::uint32_t patch : order) {
-      if (!counts_[patch]) {
-        decide(patch, preferred(patches_[patch]));
-        propagate();
-      }
-    }
-    std::vector<int> counts;
-    counts.reserve(counts_.size());
-    for (const std::optional<int>& count : counts_) {
-      counts.push_back(*count);
-    }
-    return counts;
-  }
-
- private:
-  static bool is_settled(const Patch& patch) { return patch.least == patch.most; }
-
-  static int preferred(const Patch& patch) {
-    return patch.is_one_sided || patch.majority == 0 ? (patch.least == 0 ? 0 : 1)
-           : patch.majority > 0                      ? 1
-                                                     : -1;
-  }
-
-  // Patches of one possible count before others, the large before the small.
-  [[nodiscard]] std::vector<std::uint32_t> by_certainty() const {
-    std::vector<std::uint32_t> order(patches_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, [this](std::uint32_t a, std::uint32_t b) {
-      const Patch &p = patches_[a], &q = patches_[b];
-      return is_settled(p) != is_settled(q) ? is_settled(p) : p.size > q.size;
-    });
-    return order;
-  }
-
-  void decide(std::uint32_t patch, int count) {
-    counts_[patch] = count;
-    for (const std::uint32_t e : equations_of_[patch]) {
-      --open_[e];
-      follow(e);
-    }
-  }
-
-  void follow(std::uint32_t e) {
-    if (open_[e] == 1) {
-      queue_.push_back(e);
-    }
-  }
-
-  void propagate() {
-    while (!queue_.empty()) {
-      const std::uint32_t e = queue_.back();
-      queue_.pop_back();
-      if (open_[e] != 1) {
-        continue;
-      }
-      std::int64_t sum = 0;
-      Equation::Term last{};
-      for (const Equation::Term& term : equations_[e].terms) {
-        if (counts_[term.patch]) {
-          sum += std::int64_t{term.factor} * *counts_[term.patch];
-        } else {
-          last = term;
-        }
-      }
-      const Patch& patch = patches_[last.patch];
-      const std::int64_t size = std::abs(sum / last.factor);
-      const bool is_zero_needed = patch.is_one_sided && sum != 0;
-      if (sum % last.factor == 0 && size >= patch.least && size <= patch.most && !is_zero_needed) {
-        decide(last.patch, static_cast<int>(-sum / last.factor));
-      }
-    }
-  }
-
-  std::span<const Patch> patches_;
-  std::span<const Equation> equations_;
-  std::vector<std::vector<std::uint32_t>> equations_of_;
-  std::vector<std::optional<int>> counts_;
-  std::vector<std::size_t> open_;  // terms of each equation that are not decided
-  std::vector<std::uint32_t> queue_;
-};
+  return unknowns;
+}
 
 void refuse_one_sided(std::span<const Patch> patches, std::span<const Vec3> points,
                       std::span<const Triangle> triangles) {
@@ -341,10 +230,10 @@ std::vector<int> closing_counts(std::span<const Vec3> points, std::span<const Tr
     }
     const Patches patches = PatchFinder(edges, ranges).find(wanted);
     refuse_one_sided(patches.patches, points, triangles);
-    const std::vector<Equation> equations = find_equations(edges, patches);
-    Solver solver(patches.patches, equations);
+    const std::vector<CountEquation> equations = find_equations(edges, patches);
+    const std::vector<UnknownCount> unknowns = find_unknowns(patches.patches);
     for (const bool trusting : {true, false}) {
-      const std::vector<int> solution = solver.solve(trusting);
+      const std::vector<int> solution = solved_counts(unknowns, equations, trusting);
       for (std::size_t t = 0; t < triangles.size(); ++t) {
         if (is_open[shells.of_face[t]]) {
           counts[t] = patches.sign[t] * solution[patches.of_triangle[t]];

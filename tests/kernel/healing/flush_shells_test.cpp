@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -130,6 +131,16 @@ TriMesh some_reversed(std::vector<TriMesh> meshes, Random& random) {
   return joined(meshes);
 }
 
+// Every face by itself turned or not.
+TriMesh some_faces_turned(TriMesh mesh, Random& random) {
+  for (Triangle& t : mesh.triangles) {
+    if (random() % 2 == 0) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return mesh;
+}
+
 TriMesh random_prism(std::uint32_t segments, double low, Random& random) {
   TriMesh mesh = test::tube(2, low, low + 1, segments);
   mesh.triangles.clear();
@@ -176,6 +187,7 @@ TEST(FlushShells, blocks_with_parts_of_their_sides_in_common_all_count_whichever
       volume += block.volume();
     }
     EXPECT_EQ(repaired_volume(some_reversed(meshes, random)), volume);
+    EXPECT_EQ(repaired_volume(some_faces_turned(joined(meshes), random)), volume);
   }
 }
 
@@ -191,6 +203,15 @@ TEST(FlushShells, prisms_end_to_end_all_count_whichever_are_inside_out) {
       volume += Solid::from(prisms.back()).exact_volume();
     }
     EXPECT_EQ(repaired_volume(some_reversed(prisms, random)), volume);
+  }
+}
+
+TEST(FlushShells, cells_of_a_grid_all_count_whichever_faces_are_turned) {
+  Random random(30);
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE(round);
+    const std::vector<TriMesh> cells = random_cells(random, round % 10 == 0 ? 20 : 5);
+    EXPECT_EQ(repaired_volume(some_faces_turned(joined(cells), random)), cells.size());
   }
 }
 
