@@ -26,6 +26,50 @@ TEST(RoundingApart, separates_by_a_spacing_or_a_few) {
   }
 }
 
+/// Two cubes along one edge, at `place`, which has room for their coordinates.
+Solid cubes_at(const Vec3& place, double size) {
+  const auto cube = [&](const Vec3& from) {
+    return Solid::from(test::box(place + from, place + from + Vec3::Constant(size)));
+  };
+  const std::vector<Solid> cubes = {cube({0, 0, 0}), cube({size, size, 0})};
+  return unite(cubes);
+}
+
+double volume_of(const Rounded& rounded) { return Solid::from(rounded.mesh()).volume(); }
+
+TEST(RoundingApart, takes_away_what_the_numbers_from_the_origin_cannot_tell) {
+  for (const double size : {1.0, 0x1p-10}) {
+    const Solid solid = cubes_at({0x1p20, 0x1p20, 0x1p20}, size);
+    const Vec3 middle = Vec3::Constant(0x1p20 + size);
+    for (const Origin& origin : {Origin{.choice = Origin::Choice::automatic},
+                                 Origin{.choice = Origin::Choice::given, .place = middle}}) {
+      const RoundedApart apart =
+          rounded_apart(solid, Coordinates::binary32, {.origin = origin, .whole = {}});
+      EXPECT_TRUE(apart.rounded.contacts().empty());
+      EXPECT_LE(apart.length, 0x1p-21 * size);
+      EXPECT_NEAR(volume_of(apart.rounded), solid.volume(), 0x1p-18 * solid.volume());
+      ASSERT_EQ(apart.contacts.size(), 1);
+      EXPECT_EQ(apart.contacts.front().from, solid.contacts().front().from) << "where it was given";
+    }
+  }
+}
+
+TEST(RoundingApart, begins_with_the_spacing_of_the_numbers_that_are_written) {
+  const Solid solid = cubes_at({0, 0, 0}, 1);
+  const Origin far{.choice = Origin::Choice::given, .place = {0x1p20, 0x1p20, 0}};
+  const Whole whole{.box = {Vec3(0, 0, 0), Vec3(0x1p20, 2, 2)}};
+  const RoundingOptions cases[] = {{.origin = far, .whole = {}},
+                                   {.output_grid = 0x1p-4, .origin = {}, .whole = {}},
+                                   {.origin = {}, .whole = whole}};
+  for (const RoundingOptions& options : cases) {
+    const RoundedApart apart = rounded_apart(solid, Coordinates::binary32, options);
+    EXPECT_TRUE(apart.rounded.contacts().empty());
+    EXPECT_GE(apart.length, 0x1p-4) << "what is told is what points are moved by";
+    EXPECT_LE(apart.length, 0x1p-1);
+    EXPECT_NEAR(volume_of(apart.rounded), 2, 0.5);
+  }
+}
+
 TEST(RoundingApart, parts_what_touches_itself_once_it_is_rounded) {
   std::size_t parted = 0;
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
