@@ -19,6 +19,7 @@
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
 #include "rounding/edits/edited_mesh.h"
+#include "rounding/shell_sides.h"
 #include "support/sequences.h"
 
 namespace dupin {
@@ -136,6 +137,8 @@ class Witnesses {
         points_(one_of_each_shell(mesh)),
         tree_(boxes_of(mesh.points)) {}
 
+  /// Per point the lowest one of its shell.
+  [[nodiscard]] std::span<const std::uint32_t> shell_of() const { return shell_of_; }
   [[nodiscard]] bool contain(std::uint32_t point) const {
     return std::ranges::binary_search(points_, point);
   }
@@ -167,7 +170,7 @@ class Witnesses {
     return result;
   }
 
-  std::vector<std::uint32_t> shell_of_;  // per point the lowest one of its shell
+  std::vector<std::uint32_t> shell_of_;
   boxes::BoxQuantizer quantizer_;
   std::vector<std::uint32_t> points_;
   boxes::BoxTree tree_;
@@ -182,6 +185,7 @@ class Simplification {
         representatives_(mesh::coincident_representatives(rounded.mesh().points)),
         mesh_(rounded.mesh().points, rounded.mesh().triangles, labels_, representatives_),
         witnesses_(rounded.mesh()),
+        sides_(witnesses_.shell_of()),
         deviation_(rounded.mesh().triangles.size(), 0) {
     double largest = 0;
     for (const Vec3& point : input_.points) {
@@ -270,7 +274,7 @@ class Simplification {
       swept.extend(mesh_.point(corner));
     }
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-    if (witnesses_.are_within(swept, from) ||
+    if (witnesses_.are_within(swept, from) || !sides_.stay(mesh_, from, option.to, swept) ||
         !mesh_.collapse(from, option.to, {rounding::FaultRule::none, kAnywhere})) {
       return false;
     }
@@ -366,6 +370,7 @@ class Simplification {
   std::vector<std::uint32_t> labels_, representatives_;
   EditedMesh mesh_;
   Witnesses witnesses_;
+  rounding::ShellSides sides_;
   std::vector<double> deviation_;  // of each face from the surface given
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
 };

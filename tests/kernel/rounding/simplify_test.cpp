@@ -56,6 +56,47 @@ TEST(Simplify, keeps_only_the_rings_that_matter) {
   EXPECT_LE(result.deviation, 1e-9);
 }
 
+/// Of rings of segments, tilted off the axes by that angle.
+TriMesh ball(std::uint32_t segments, std::uint32_t rings, double angle) {
+  const Eigen::AngleAxisd tilt(angle, Vec3(1, 2, 3).normalized());
+  TriMesh mesh;
+  mesh.points.push_back(tilt * Vec3(0, 0, 1));
+  for (std::uint32_t a = 0; a < segments * rings; ++a) {
+    const double turn = 2 * 3.141592653589793 * (a % segments) / segments;
+    const double down = 3.141592653589793 * (a / segments + 1) / (rings + 1);
+    mesh.points.push_back(tilt * Vec3(std::sin(down) * std::cos(turn),
+                                      std::sin(down) * std::sin(turn), std::cos(down)));
+  }
+  mesh.points.push_back(tilt * Vec3(0, 0, -1));
+  const std::uint32_t last = segments * rings + 1;
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const std::uint32_t next = (i + 1) % segments;
+    mesh.triangles.push_back({0, 1 + i, 1 + next});
+    mesh.triangles.push_back({last, last - segments + next, last - segments + i});
+    for (std::uint32_t above = 1; above + segments < last; above += segments) {
+      mesh.triangles.push_back({above + i, above + segments + i, above + segments + next});
+      mesh.triangles.push_back({above + i, above + segments + next, above + next});
+    }
+  }
+  return mesh;
+}
+
+// A few points are left, of which one may go to the other side of all other faces.
+TEST(Simplify, turns_no_shell_inside_out) {
+  for (const TriMesh& round : {ball(10, 7, 0), ball(6, 6, 0.3), ball(9, 5, 0.9), ball(5, 7, 2.1)}) {
+    const TriMesh hollow =
+        test::joined({test::box({-9, -9, -9}, {9, 9, 9}), test::reversed(round)});
+    for (const double tolerance : {1.0, 3.0, 10.0}) {
+      SCOPED_TRACE(tolerance);
+      for (const TriMesh& mesh : {round, hollow}) {
+        const Simplified result = simplify(Solid::from(mesh), tolerance);
+        EXPECT_TRUE(check(result.mesh).is_solid());
+        EXPECT_GT(result.removed_triangles, round.triangles.size() / 2);
+      }
+    }
+  }
+}
+
 // Chords of a coarser tube run on the other side of small voids near its surface, and chords of a
 // coarser bore on that of small bodies in it.
 TEST(Simplify, passes_over_no_shell) {
