@@ -67,7 +67,7 @@ void add_rounding_options(CLI::App& command, RoundingArguments& arguments) {
       ->type_name("LENGTH");
   command
       .add_option("--rounding-tolerance", arguments.tolerance,
-                  "Largest move of a point when coordinates are rounded to those of the\nformat")
+                  "Largest move of a point beyond rounding to the nearest number of the\nformat")
       ->type_name("LENGTH");
 }
 
