@@ -23,6 +23,21 @@ struct RemeshArguments {
   SolverArguments solver;
 };
 
+/// Runs what needs a solid without contacts, and tells by what command they go.
+template <class Function>
+OutputReport without_contacts(const std::string& input, const Function& function) {
+  try {
+    return function();
+  } catch (const Error& error) {
+    throw error.code() != Errc::contact
+        ? error
+        : Error(error.code(),
+                error.message() + ": dupin repair " + input +
+                    " -o OUT --contacts separate=LENGTH, or bridge=LENGTH",
+                error.part(), error.where());
+  }
+}
+
 ExitCode run_remesh(const RemeshArguments& arguments, const CommonOptions& common) {
   const OutputArguments& output = arguments.files.output;
   const bool fills = is_volume(output);
@@ -43,14 +58,15 @@ ExitCode run_remesh(const RemeshArguments& arguments, const CommonOptions& commo
   const Solid solid = solid_of(input);
   std::optional<ProgressLine> line(common.quiet);
   options.progress = line->callback();
-  OutputReport report;
-  if (fills) {
-    report = write_volume(solid, options, output, header);
-  } else {
+  const OutputReport report = without_contacts(arguments.files.input, [&] {
+    if (fills) {
+      return write_volume(solid, options, output, header);
+    }
     Remeshed made = remesh(solid, options);
-    report = write_solid(made.solid, to, rounding, header, {}, options.progress);
-    report.solver_mesh = solver_report(std::move(made.report), options);
-  }
+    OutputReport written = write_solid(made.solid, to, rounding, header, {}, options.progress);
+    written.solver_mesh = solver_report(std::move(made.report), options);
+    return written;
+  });
   line.reset();
   print_written(report, to, common);
   return ExitCode::ok;

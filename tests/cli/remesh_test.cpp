@@ -36,6 +36,17 @@ TEST_F(SolverMeshes, remesh_makes_well_shaped_triangles) {
   EXPECT_EQ(json({"check", "b.stl"}, 0).at("solid"), true);
 }
 
+TEST_F(SolverMeshes, remesh_tells_how_contacts_go) {
+  put("a.off", joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}));
+  for (const std::string out : {"b.off", "b.msh"}) {
+    const ProcessResult result = dupin({"remesh", "a.off", out, "--tolerance", "0.1"});
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_NE(result.err.find("dupin repair a.off -o OUT --contacts separate=LENGTH"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
 TEST_F(SolverMeshes, remesh_fills_for_gmsh_and_vtk) {
   put("a.off", labelled(tube(10, 0, 50, 64), "pipe"));
   for (const std::string name : {"b.msh", "b.vtu"}) {

@@ -42,6 +42,25 @@ std::string known_extensions() {
   return known;
 }
 
+/// Of what is read. That of gmsh writes volumes, but is read as their surface.
+std::string readable_extensions() {
+  return known_extensions() + ", " + std::string(kMshVolume.extension);
+}
+
+Error unknown_content(std::string_view bytes, std::string_view file) {
+  constexpr std::size_t kHead = 1000, kQuoted = 16;
+  const std::string_view head = bytes.substr(0, kHead);
+  const bool is_vtu = head.find("<VTKFile") != std::string_view::npos &&
+                      head.find("UnstructuredGrid") != std::string_view::npos;
+  const std::string found = is_vtu
+                                ? "a VTK UnstructuredGrid, which is written but not read (" +
+                                      std::string(kMshVolume.extension) + " holds the same, and is)"
+                                : text::quoted(bytes.substr(0, kQuoted)) + " at the start";
+  return Error(Errc::parse_failed,
+               "found " + found + ", expected a mesh (" + readable_extensions() + ")", {},
+               std::string(file) + ":byte 0");
+}
+
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
@@ -89,10 +108,7 @@ TriMesh read_mesh(std::string_view bytes, std::string_view file) {
   const UsualArithmetic usual;
   const MeshFormat* const format = format_of_content(bytes, file);
   if (format == nullptr) {
-    throw Error(Errc::parse_failed,
-                "found " + text::quoted(bytes.substr(0, 16)) + " at the start, expected a mesh (" +
-                    known_extensions() + ")",
-                {}, std::string(file) + ":byte 0");
+    throw unknown_content(bytes, file);
   }
   try {
     return format->read(bytes, file);

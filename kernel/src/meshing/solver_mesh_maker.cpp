@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -217,11 +216,9 @@ SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bo
     return {};
   }
   if (!solid.contacts().empty()) {
-    const Vec3& place = solid.contacts().front().from;
-    std::ostringstream text;
-    text << "a solid that touches itself, as near " << place.x() << " " << place.y() << " "
-         << place.z() << ", cannot be meshed for solvers; separate or bridge its contacts first";
-    throw Error(Errc::contact, text.str());
+    throw Error(Errc::contact,
+                "a solid that touches itself, as near " + decimal(solid.contacts().front().from) +
+                    ", cannot be meshed for solvers; separate or bridge its contacts first");
   }
   const GivenSolid given(solid, options);
   require_distance_of_doubles(given);

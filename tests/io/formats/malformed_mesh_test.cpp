@@ -88,10 +88,16 @@ TEST(MalformedMesh, off_is_refused_with_its_line) {
 }
 
 TEST(MalformedMesh, content_of_no_known_format_is_refused) {
-  const std::string known = ", expected a mesh (" + test::known_extensions() + ")";
+  const std::string known = ", expected a mesh (" + test::known_extensions() + ", .msh)";
   test::expect_refused(read_any, "stdin", {{"", "stdin:byte 0: found '' at the start" + known}});
   test::expect_refused(read_any, "a.txt",
                        {{"hello\n", "a.txt:byte 0: found 'hello\\x0a' at the start" + known}});
+  test::expect_refused(
+      read_any, "a.vtu",
+      {{"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n",
+        "a.vtu:byte 0: found a VTK UnstructuredGrid, which is written but not read (.msh holds the "
+        "same, and is)" +
+            known}});
 }
 
 }  // namespace

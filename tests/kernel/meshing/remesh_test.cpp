@@ -166,7 +166,7 @@ TEST(Remesh, refuses_a_solid_that_touches_itself) {
   const Solid touching = unite(std::vector{Solid::from(box(Vec3::Zero(), Vec3(1, 1, 1))),
                                            Solid::from(box(Vec3(1, 1, 0), Vec3(2, 2, 1)))});
   ASSERT_FALSE(touching.contacts().empty());
-  expect_refused(touching, {.distance = 0.1}, Errc::contact, {"near 1 1 "});
+  expect_refused(touching, {.distance = 0.1}, Errc::contact, {"near (1, 1, "});
 }
 
 TEST(Remesh, can_be_cancelled) {
