@@ -5,6 +5,8 @@
 #include <CLI/App.hpp>
 
 #include "dupin/kernel/contacts.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "exit_code.h"
 #include "length.h"
@@ -50,6 +52,15 @@ Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& repo
   Settled settled = is_bridge ? bridge(solid, choice.length) : separate(solid, choice.length);
   report.settled = {is_bridge ? "bridge" : "separate", choice.length, std::move(settled.contacts)};
   return settled.solid;
+}
+
+void require_something_left(const OutputReport& report, std::size_t triangles) {
+  if (triangles > 0 || !report.settled) {
+    return;
+  }
+  throw Error(Errc::contact, "the solid is so small that separating its contacts within " +
+                                 decimal(report.settled->length, kMessageDigits) +
+                                 " leaves nothing of it; a smaller length may do");
 }
 
 Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,

@@ -40,6 +40,9 @@ void add_contacts_option(CLI::App& command, std::string& contacts);
 /// The solid after what was chosen, told in `report`.
 [[nodiscard]] Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& report);
 
+/// Throws Error{contact} where separating has left none of the whole's triangles.
+void require_something_left(const OutputReport& report, std::size_t triangles);
+
 /// The solid rounded, apart where it touches itself by as few spacings of the coordinates as it
 /// takes: one, two, four to 64; else, and where only the rounded solid touches itself, by moves of
 /// its points. Told in `report`. Where none of that does, as it is.

@@ -110,12 +110,22 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
 
 std::string places_text(const std::vector<Contact>& contacts) {
   constexpr std::size_t kTold = 3;
-  std::string places;
-  for (std::size_t i = 0; i < std::min(kTold, contacts.size()); ++i) {
-    places += (i == 0 ? " " : ", ") + place_text(contacts[i].from);
+  std::vector<std::string> places;  // edges and points may begin in one
+  for (const Contact& contact : contacts) {
+    if (std::string place = place_text(contact.from);
+        std::ranges::find(places, place) == places.end()) {
+      places.push_back(std::move(place));
+    }
+    if (places.size() > kTold) {
+      places.back() = "...";
+      break;
+    }
   }
-  return counted(contacts.size(), "place") + ", at" + places +
-         (contacts.size() > kTold ? ", ..." : "");
+  std::string text = counted(contacts.size(), "place") + ", at";
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    text += (i == 0 ? " " : ", ") + places[i];
+  }
+  return text;
 }
 
 /// STL has no vertices, only corners: readers weld those that coincide.
@@ -257,6 +267,9 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
     tell(progress, "settle");
   }
   const Solid settled = settle(solid, contacts, own);
+  if (!rounding.whole) {
+    require_something_left(own, settled.triangle_count());
+  }
   tell(progress, "round");
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points;
   Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)

@@ -69,6 +69,7 @@ OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxe
   }
   const Rounded whole = joined(all, boxes);
   require_something_left(whole.report(), whole.mesh().triangles.size(), options);
+  require_something_left(report, whole.mesh().triangles.size());
   return write_rounded(whole, to, std::move(header), std::move(report), {}, written, normals);
 }
 
@@ -152,6 +153,7 @@ void DistrictFile::flush() {
 
 void DistrictFile::require_something(const RoundingOptions& rounding) const {
   require_something_left(report_.rounding, report_.check->triangles, rounding);
+  require_something_left(report_, report_.check->triangles);
 }
 
 OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {

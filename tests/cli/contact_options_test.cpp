@@ -67,6 +67,22 @@ TEST(ContactOptions, lengths_too_short_are_no_fault_of_the_solid) {
   }
 }
 
+TEST(ContactOptions, lengths_that_leave_nothing_are_refused) {
+  const Solid touching = unite(std::vector{Solid::from(test::box({0, 0, 0}, {1, 1, 1})),
+                                           Solid::from(test::box({1, 1, 0}, {2, 2, 1}))});
+  OutputReport report;
+  const Solid left = settle(touching, contact_choice("separate=3", ""), report);
+  ASSERT_TRUE(left.empty());
+  try {
+    require_something_left(report, left.triangle_count());
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::contact);
+    EXPECT_NE(error.message().find("within 3 leaves nothing"), std::string::npos);
+  }
+  EXPECT_NO_THROW(require_something_left({}, 0)) << "nothing was separated";
+}
+
 TEST(ContactOptions, tell_what_was_ended_for_the_format) {
   const std::vector<Solid> boxes = {Solid::from(test::box({0, 0, 0}, {1, 1, 1})),
                                     Solid::from(test::box({1, 1, 0}, {2, 2, 1}))};

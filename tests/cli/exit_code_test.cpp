@@ -59,7 +59,7 @@ TEST_F(ToolExitCode, four_for_what_has_no_valid_result) {
   put("b.off", box({1, 1, 0}, {2, 2, 1}));
   EXPECT_EQ(dupin({"union", "a.off", "b.off", "-o", "c.off", "--contacts", "refuse"}).exit_code, 4);
   put("touching.off", joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}));
-  for (const std::string policy : {"refuse", "separate=1e-30", "bridge=1e-30"}) {
+  for (const std::string policy : {"refuse", "separate=1e-30", "bridge=1e-30", "separate=3"}) {
     EXPECT_EQ(dupin({"repair", "touching.off", "-o", "c.off", "--contacts", policy}).exit_code, 4)
         << policy;
   }

@@ -80,6 +80,19 @@ TEST_F(Output, has_no_contacts_where_they_are_refused_whichever_the_command) {
             "bridge=LENGTH without\n");
 }
 
+// An edge, and the point at its end, in which a third cube touches.
+TEST_F(Output, tells_each_place_of_contacts_once) {
+  put("three.off",
+      joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}), box({0, 1, 1}, {1, 2, 2})}));
+  for (const std::string policy : {"refuse", "report"}) {
+    const std::string err =
+        dupin({"repair", "three.off", "-o", "out.stl", "--contacts", policy}).err;
+    const std::size_t first = err.find("(1, 1, 1)");
+    EXPECT_NE(first, std::string::npos) << err;
+    EXPECT_EQ(err.find("(1, 1, 1)", first + 1), std::string::npos) << err;
+  }
+}
+
 // Pipes that rest on others, as exact as they are, touch each other once they are rounded.
 TEST_F(Output, has_no_contacts_by_rounding_where_they_are_refused) {
   cli::OutputArguments arguments;

@@ -53,6 +53,9 @@ std::optional<RoundedApart> separated_and_rounded(const Solid& solid, Coordinate
     try {
       const Solid apart =
           is_near ? separate(solid, length).solid : separated_about(origin, solid, length);
+      if (apart.empty() && !options.whole) {  // of a piece nothing may be left
+        return std::nullopt;
+      }
       Rounded rounded = to_mesh(apart, coordinates, options);
       if (rounded.contacts().empty()) {
         return RoundedApart{std::move(rounded), length, solid.contacts()};

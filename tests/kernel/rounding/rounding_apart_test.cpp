@@ -5,6 +5,7 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "support/pipe_unions.h"
 #include "support/shapes.h"
@@ -67,6 +68,16 @@ TEST(RoundingApart, begins_with_the_spacing_of_the_numbers_that_are_written) {
     EXPECT_GE(apart.length, 0x1p-4) << "what is told is what points are moved by";
     EXPECT_LE(apart.length, 0x1p-1);
     EXPECT_NEAR(volume_of(apart.rounded), 2, 0.5);
+  }
+}
+
+// Seen from zero, its numbers cannot tell what is left from nothing.
+TEST(RoundingApart, leaves_something) {
+  const Solid solid = cubes_at({0x1p20, 0x1p20, 0x1p20}, 0x1p-10);
+  try {
+    EXPECT_FALSE(rounded_apart(solid, Coordinates::binary32).rounded.mesh().triangles.empty());
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unroundable);
   }
 }
 
