@@ -177,16 +177,16 @@ void refuse_one_sided(std::span<const Patch> patches, std::span<const Vec3> poin
   }
 }
 
-// Copies may cancel, if need be turned; but what ends at an edge may only where they do as they
-// are.
+// Copies may cancel, if need be turned; but, unless `freely`, what ends at an edge may only where
+// they do as they are.
 std::vector<CountRange> ranges_of(std::span<const CopyNumbers> numbers,
-                                  const mesh::EdgeTable& edges) {
+                                  const mesh::EdgeTable& edges, bool freely) {
   std::vector<CountRange> ranges;
   ranges.reserve(numbers.size());
   for (const auto& [even, odd] : numbers) {
     ranges.push_back({even - odd, even + odd > 1 ? 0 : 1, even + odd});
   }
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size() && !freely; ++i) {
     if (const auto along = edges[i].half_edges; along.size() == 1) {
       const auto [even, odd] = numbers[along[0] / 3];
       ranges[along[0] / 3].least = even > 0 && odd > 0 ? 0 : 1;
@@ -194,6 +194,113 @@ std::vector<CountRange> ranges_of(std::span<const CopyNumbers> numbers,
   }
   return ranges;
 }
+
+/// Counts of what hangs together, some of which is open.
+class Closing {
+ public:
+  Closing(std::span<const Vec3> points, std::span<const Triangle> triangles,
+          std::span<const CopyNumbers> numbers)
+      : points_(points),
+        triangles_(triangles),
+        numbers_(numbers),
+        edges_(triangles, points.size()),
+        shells_(mesh::shells(triangles.size(), edges_)) {
+    for (const auto& [even, odd] : numbers) {
+      counts_.push_back(even - odd);
+    }
+    is_open_ = open_shells(edges_, shells_, counts_);
+  }
+
+  std::vector<int> find() {
+    if (is_any_open()) {
+      const std::vector<CountRange> ranges = ranges_of(numbers_, edges_, false);
+      for (const std::vector<int>& counts : counts_of_patches(ranges)) {
+        take(counts, true);
+      }
+      if (is_any_open()) {
+        take(descended_counts(edges_, ranges), false);
+      }
+    }
+    if (is_any_open()) {
+      const std::vector<CountRange> ranges = ranges_of(numbers_, edges_, true);
+      for (const std::vector<int>& counts : counts_of_patches(ranges)) {
+        take(but_for_nothing(counts), false);
+      }
+      if (is_any_open()) {
+        take(but_for_nothing(descended_counts(edges_, ranges)), false);
+      }
+    }
+    return std::move(counts_);
+  }
+
+  [[nodiscard]] const mesh::Shells& shells() const { return shells_; }
+
+ private:
+  [[nodiscard]] bool is_any_open() const {
+    return std::ranges::find(is_open_, 1) != is_open_.end();
+  }
+
+  // First such as trust what is there once, then others; zero of what is closed.
+  [[nodiscard]] std::array<std::vector<int>, 2> counts_of_patches(
+      std::span<const CountRange> ranges) const {
+    std::vector<std::uint8_t> wanted;
+    wanted.reserve(triangles_.size());
+    for (const std::uint32_t shell : shells_.of_face) {
+      wanted.push_back(is_open_[shell]);
+    }
+    const Patches patches = PatchFinder(edges_, ranges).find(wanted);
+    refuse_one_sided(patches.patches, points_, triangles_);
+    const std::vector<CountEquation> equations = find_equations(edges_, patches);
+    const std::vector<UnknownCount> unknowns = find_unknowns(patches.patches);
+    std::array<std::vector<int>, 2> both;
+    for (const bool trusting : {true, false}) {
+      const std::vector<int> solution = solved_counts(unknowns, equations, trusting);
+      std::vector<int>& counts = both[trusting ? 0 : 1];
+      counts.assign(triangles_.size(), 0);
+      for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (wanted[t] != 0) {
+          counts[t] = patches.sign[t] * solution[patches.of_triangle[t]];
+        }
+      }
+    }
+    return both;
+  }
+
+  // Where they close what is open; or anywhere, as what agrees most.
+  void take(std::span<const int> counts, bool anywhere) {
+    const std::vector<std::uint8_t> stays_open = open_shells(edges_, shells_, counts);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const std::uint32_t shell = shells_.of_face[t];
+      if (is_open_[shell] != 0 && (anywhere || stays_open[shell] == 0)) {
+        counts_[t] = counts[t];
+      }
+    }
+    for (std::size_t shell = 0; shell < shells_.count; ++shell) {
+      is_open_[shell] &= stays_open[shell];
+    }
+  }
+
+  // Of what would be dropped as a whole, its own.
+  [[nodiscard]] std::vector<int> but_for_nothing(std::vector<int> counts) const {
+    for (std::size_t shell = 0; shell < shells_.count; ++shell) {
+      const auto faces = shells_.faces_of(shell);
+      if (std::ranges::all_of(faces, [&](std::uint32_t t) { return counts[t] == 0; })) {
+        for (const std::uint32_t t : faces) {
+          counts[t] = counts_[t];
+        }
+      }
+    }
+    return counts;
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const Triangle> triangles_;
+  std::span<const CopyNumbers> numbers_;
+  mesh::EdgeTable edges_;
+  mesh::Shells shells_;
+  std::vector<int> counts_;
+  std::vector<std::uint8_t> is_open_;  // per shell
+};
 
 // Divides the counts of each shell by what they have in common.
 void drop_common_factors(const mesh::Shells& shells, std::vector<int>& counts) {
@@ -212,45 +319,9 @@ void drop_common_factors(const mesh::Shells& shells, std::vector<int>& counts) {
 
 std::vector<int> closing_counts(std::span<const Vec3> points, std::span<const Triangle> triangles,
                                 std::span<const CopyNumbers> numbers) {
-  const mesh::EdgeTable edges(triangles, points.size());
-  const mesh::Shells shells = mesh::shells(triangles.size(), edges);
-  std::vector<int> counts;
-  counts.reserve(numbers.size());
-  const std::vector<CountRange> ranges = ranges_of(numbers, edges);
-  for (const CountRange& range : ranges) {
-    counts.push_back(range.given);
-  }
-  std::vector<std::uint8_t> is_open = open_shells(edges, shells, counts);
-  const auto is_any_open = [&] { return std::ranges::find(is_open, 1) != is_open.end(); };
-  if (is_any_open()) {
-    std::vector<std::uint8_t> wanted;
-    wanted.reserve(triangles.size());
-    for (const std::uint32_t shell : shells.of_face) {
-      wanted.push_back(is_open[shell]);
-    }
-    const Patches patches = PatchFinder(edges, ranges).find(wanted);
-    refuse_one_sided(patches.patches, points, triangles);
-    const std::vector<CountEquation> equations = find_equations(edges, patches);
-    const std::vector<UnknownCount> unknowns = find_unknowns(patches.patches);
-    for (const bool trusting : {true, false}) {
-      const std::vector<int> solution = solved_counts(unknowns, equations, trusting);
-      for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (is_open[shells.of_face[t]]) {
-          counts[t] = patches.sign[t] * solution[patches.of_triangle[t]];
-        }
-      }
-      is_open = open_shells(edges, shells, counts);
-    }
-  }
-  if (is_any_open()) {
-    const std::vector<int> descended = descended_counts(edges, ranges);
-    const std::vector<std::uint8_t> stays_open = open_shells(edges, shells, descended);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const std::uint32_t shell = shells.of_face[t];
-      counts[t] = is_open[shell] && !stays_open[shell] ? descended[t] : counts[t];
-    }
-  }
-  drop_common_factors(shells, counts);
+  Closing closing(points, triangles, numbers);
+  std::vector<int> counts = closing.find();
+  drop_common_factors(closing.shells(), counts);
   return counts;
 }
 
