@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -11,21 +10,18 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
-#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "healing/degenerate_faces.h"
 #include "healing/face_copies.h"
 #include "healing/kept_surface.h"
+#include "healing/open_edges.h"
 #include "healing/polygon_soup.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin {
 namespace {
-
-using mesh::Edge;
-using mesh::EdgeTable;
 
 // Refuses what is no mesh; of others returns what is wrong but for self-intersections, which may
 // be very many.
@@ -109,7 +105,7 @@ std::optional<mesh::ExactMesh> united_shells(const healing::PolygonSoup& soup, c
                                              const Progress& progress) {
   constexpr std::size_t kMany = 16;
   const mesh::Shells shells =
-      mesh::shells(soup.triangles.size(), EdgeTable(soup.triangles, soup.points.size()));
+      mesh::shells(soup.triangles.size(), mesh::EdgeTable(soup.triangles, soup.points.size()));
   std::vector<Solid> solids;
   for (std::size_t i = 0; i < shells.count && shells.count > kMany; ++i) {
     const TriMesh shell = shell_of(soup, shells.faces_of(i), mesh);
@@ -130,57 +126,6 @@ std::optional<mesh::ExactMesh> united_shells(const healing::PolygonSoup& soup, c
   return all;
 }
 
-std::ptrdiff_t balance(const EdgeTable& edges, const Edge& edge) {
-  std::ptrdiff_t sum = 0;
-  for (const std::uint32_t half_edge : edge.half_edges) {
-    sum += edges.origin(half_edge) == edge.low ? 1 : -1;
-  }
-  return sum;
-}
-
-// What the faces of the mesh at an edge do wrong.
-std::string fault_at(const Edge& edge, const healing::PolygonSoup& soup) {
-  std::set<std::uint32_t> faces;
-  for (const std::uint32_t half_edge : edge.half_edges) {
-    faces.insert(soup.sources[half_edge / 3]);
-  }
-  if (faces.size() == 1) {
-    return "which only face " + std::to_string(*faces.begin()) + " has";
-  }
-  constexpr std::size_t kMost = 6;
-  std::string text = "where faces ";
-  std::size_t shown = 0;
-  for (const std::uint32_t face : faces) {
-    if (shown == kMost) {
-      text += " and " + std::to_string(faces.size() - shown) + " more";
-      break;
-    }
-    text += (shown == 0 ? "" : shown + 1 == faces.size() ? " and " : ", ") + std::to_string(face);
-    ++shown;
-  }
-  return text + " meet, and no way was found to turn and count them that closes the surface";
-}
-
-// Whether each edge is run along as often one way as the other.
-void refuse_holes(const healing::PolygonSoup& soup) {
-  const EdgeTable edges(soup.triangles, soup.points.size());
-  std::size_t open = 0;
-  std::string first;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Edge edge = edges[i];
-    if (balance(edges, edge) != 0 && open++ == 0) {
-      first = decimal(soup.points[edge.low]) + " to " + decimal(soup.points[edge.high]) + ", " +
-              fault_at(edge, soup);
-    }
-  }
-  if (open > 0) {
-    throw Error(Errc::not_closed, "the mesh cannot be repaired: " + std::to_string(open) +
-                                      (open == 1 ? " edge is" : " edges are") +
-                                      " open, first the one from " + first +
-                                      "; holes are not filled");
-  }
-}
-
 }  // namespace
 
 Repaired repair(const TriMesh& mesh, const Progress& progress) {
@@ -195,7 +140,7 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   report.degenerate_faces = healing::drop_degenerate_faces(soup);
   healing::SettledCopies settled = healing::close_surface(soup);
   report.duplicate_faces = settled.dropped;
-  refuse_holes(soup);
+  healing::refuse_open_edges(soup, mesh);
   report.cavities = healing::turn_shells_outward(soup, settled.is_turned);
   if (settled.has_copies) {
     settled = healing::settle_copies(soup, settled.is_turned);

@@ -348,5 +348,49 @@ TEST(Repair, refuses_to_guess) {
   }
 }
 
+std::string refusal_of(const TriMesh& mesh) {
+  try {
+    (void)repair(mesh);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Repair, names_what_is_at_an_edge_that_stays_open) {
+  TriMesh open = cube(0, 1), one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}};
+  open.triangles.pop_back();
+  TriMesh turned = open;
+  std::swap(turned.triangles[0][1], turned.triangles[0][2]);
+  EXPECT_NE(refusal_of(open).find("3 edges are open"), std::string::npos) << refusal_of(open);
+  EXPECT_NE(refusal_of(turned).find("3 edges are open"), std::string::npos) << refusal_of(turned);
+  EXPECT_NE(refusal_of(one).find(", which only face 0 has;"), std::string::npos);
+  EXPECT_NE(refusal_of(with_face(one, {1, 2, 0}))
+                .find(", which only faces 0 and 1 have, copies of each other;"),
+            std::string::npos)
+      << refusal_of(with_face(one, {1, 2, 0}));
+  EXPECT_NE(refusal_of(joined({open, open})).find(", copies of each other;"), std::string::npos);
+}
+
+// A wall across a box: its two halves, and the wall, end along the same edges.
+TEST(Repair, names_what_would_have_to_go_where_that_would_do) {
+  TriMesh walled = test::tetrahedron({0, 0, 0}, 2);
+  walled.points.emplace_back(0, 0, -2);
+  std::erase_if(walled.triangles, [](const Triangle& t) { return std::ranges::max(t) == 2; });
+  for (const Triangle& t : {Triangle{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 2, 1}}) {
+    walled.triangles.push_back(t);
+  }
+  EXPECT_NE(refusal_of(walled).find("; without face 6 it would be closed;"), std::string::npos)
+      << refusal_of(walled);
+  const TriMesh apart =
+      joined({cube(0, 1), TriMesh{{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}}}});
+  EXPECT_NE(refusal_of(apart).find("; without face 12 it would be closed;"), std::string::npos)
+      << refusal_of(apart);
+  EXPECT_NE(refusal_of(joined({cube(0, 1), with_face(apart, {8, 9, 10})}))
+                .find("; without faces 24 and 25 it would be closed;"),
+            std::string::npos)
+      << refusal_of(joined({cube(0, 1), with_face(apart, {8, 9, 10})}));
+}
+
 }  // namespace
 }  // namespace dupin
