@@ -28,8 +28,7 @@ struct SettledCopies {
 /// opening, counts of single triangles are changed as long as that makes it smaller; and if that
 /// does not close it, all of it is tried once more with copies that may cancel anywhere, as long as
 /// something is left of what hangs together. If none of it closes the surface, it stays open.
-/// `was_turned`: empty, or 1 per triangle that was turned
-/// before: such copies are dropped first.
+/// `was_turned`: empty, or 1 per triangle that was turned before: such copies are dropped first.
 ///
 /// O(n log n). Throws Error{not_oriented} for what has only one side.
 SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned = {});
