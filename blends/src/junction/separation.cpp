@@ -10,11 +10,32 @@
 #include "cyclide/exact_pe.h"
 #include "numbers/angle.h"
 #include "numbers/exact_vec3.h"
+#include "numbers/interval.h"
 
 namespace dupin::junction {
 namespace {
 
-// The same formulas in doubles and in rational numbers.
+using numbers::Interval;
+
+// What is certain, whatever numbers intervals stand for. What is asked here is of such comparisons
+// only, so that what they say is so; that it is not is for rational numbers to say.
+bool operator>(const Interval& a, const Interval& b) { return a.lower > b.upper; }
+bool operator<(const Interval& a, const Interval& b) { return b > a; }
+
+// x |x|.
+template <class Number>
+Number signed_square(const Number& x) {
+  const Number square = x * x;
+  return x < 0 ? Number(-square) : square;
+}
+
+Interval signed_square(const Interval& x) {
+  const Interval square = x * x;
+  const bool has_sign = x > 0 || x < 0;
+  return has_sign ? (x < 0 ? -square : square) : Interval(-square.magnitude(), square.magnitude());
+}
+
+// The same formulas in doubles, in intervals and in rational numbers.
 template <class Number>
 using Vector = std::array<Number, 3>;
 
@@ -86,12 +107,8 @@ bool caps_are_disjoint(const PeArc& a, const PeArc& b) {
   const Number between = product(one, other), one_squared = product(one, one),
                other_squared = product(other, other);
   // tau over its tangent's length is the cotangent of the cap's angle.
-  const auto squared_sign = [](const Number& x, const Number& scale) {
-    const Number square = x * x * scale;
-    return x < 0 ? Number(-square) : square;
-  };
-  const bool below_half_turn =
-      squared_sign(one.r, other_squared) + squared_sign(other.r, one_squared) > 0;
+  const Number sum = signed_square(one.r) * other_squared + signed_square(other.r) * one_squared;
+  const bool below_half_turn = sum > 0;
   return below_half_turn && between < 0 && between * between > one_squared * other_squared;
 }
 
@@ -200,7 +217,7 @@ bool approaches(const PeArc& collar) {
 
 template <class Work>
 bool decided(Arithmetic arithmetic, const Work& work) {
-  return arithmetic == Arithmetic::exact ? work(mpq_class()) : work(double());
+  return arithmetic == Arithmetic::exact ? work(Interval()) || work(mpq_class()) : work(double());
 }
 
 }  // namespace
