@@ -34,9 +34,9 @@ void refuse_too_costly(const Assembly& assembly,
                                         std::span<const RingSampling> given = {});
 
 /// How many triangles the curves add in which parts of different runs cross, at most, roughly: of
-/// all whose boxes touch, askew ones where most parts are, and that no fillet and no junction
-/// joins, as if each went through the middle of the other. O(n log n) and the boxes that lie side
-/// by side along one axis.
+/// all whose boxes touch, along the coordinates' axes and the parts' main ones, and that no fillet
+/// and no junction joins, as if each went through the middle of the other. O(n log n) and these
+/// pairs.
 [[nodiscard]] double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
                                         std::span<const WeldedRun> runs, double grid,
                                         std::span<const RingSampling> given = {});

@@ -10,9 +10,9 @@
 
 namespace dupin::assembly {
 
-/// A box about all that the surface bounds, in outward rounded arithmetic; infinite
-/// where nothing is known of it. O(pieces). Along the axes of coordinates, or of a view, in which
-/// places are what that says but for their own rounding.
+/// A box about all that the surface bounds, in outward rounded arithmetic; infinite where nothing
+/// is known of it. O(pieces). Along the axes of coordinates, or of a view, which need not be unit
+/// vectors to the last bit: bounds are of the products with them.
 [[nodiscard]] Eigen::AlignedBox3d part_box(const PartSurface& surface, const View& axes = {});
 
 /// The axes along which boxes around the parts have much less surface than along those of
