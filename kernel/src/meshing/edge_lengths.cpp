@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -68,6 +69,28 @@ std::vector<Vec3> points_of(const std::vector<Curve>& curves) {
     points.insert(points.end(), curve.points.begin(), curve.points.end());
   }
   return points;
+}
+
+// Of which all triangles have one normal, but for its rounding. Absorbed ones do not count.
+std::vector<std::uint8_t> flat_regions(const Features& features) {
+  constexpr double kRounding = 1e-14;
+  std::vector<std::uint8_t> is_flat;
+  std::vector<std::optional<Vec3>> normal;
+  for (std::size_t f = 0; f < features.regions.size(); ++f) {
+    const std::uint32_t region = features.regions[f];
+    if (region >= is_flat.size()) {
+      is_flat.resize(region + 1, 1);
+      normal.resize(region + 1);
+    }
+    if (features.is_absorbed[f] == 0) {
+      const Vec3 first = normal[region].value_or(features.normals[f]);
+      normal[region] = first;
+      if ((first - features.normals[f]).norm() > kRounding) {
+        is_flat[region] = 0;
+      }
+    }
+  }
+  return is_flat;
 }
 
 std::vector<Triangle> edges_of(const std::vector<Curve>& curves) {
@@ -142,6 +165,7 @@ EdgeLengths::EdgeLengths(const ReferenceSurface& surface, const Features& featur
       features_(features),
       distance_(distance),
       largest_(largest),
+      is_flat_(flat_regions(features)),
       points_(points_of(features.curves)),
       edges_(edges_of(features.curves)),
       curves_(curves_of_edges(features.curves)),
@@ -164,21 +188,30 @@ double EdgeLengths::length_at(const Vec3& point, double most,
   constexpr double kShrink = 0.8, kFirst = 4;
   const auto bend_within = [&](double reach) {
     Bends of_regions(Bends::Of::planes), of_curves(Bends::Of::lines);
-    surface_.visit_near(point, reach, [&](std::uint32_t f, const Vec3& here, double distance) {
+    // Flat ones that the point is on bend nowhere.
+    const auto may_bend = [&](std::uint32_t f) {
       const std::uint32_t region = surface_.region(f);
-      if (features_.is_absorbed[f] == 0 &&
-          (regions == nullptr || std::ranges::find(*regions, region) != regions->end())) {
-        const auto& [a, b, c] = surface_.corners(f);
-        of_regions.add(region, {features_.normals[f], here - point, distance, extent_of(a, b, c)});
-      }
-    });
-    curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3& here, double distance) {
-      const Vec3 way = points_[edges_[e][1]] - points_[edges_[e][0]];
-      const double extent = way.norm();
-      if (extent > 0 && (regions == nullptr || curves_[e] == curve)) {
-        of_curves.add(curves_[e], {way / extent, here - point, distance, extent});
-      }
-    });
+      return features_.is_absorbed[f] == 0 &&
+             (regions == nullptr ||
+              (is_flat_[region] == 0 && std::ranges::find(*regions, region) != regions->end()));
+    };
+    surface_.visit_near(
+        point, reach, may_bend, [&](std::uint32_t f, const Vec3& here, double distance) {
+          const auto& [a, b, c] = surface_.corners(f);
+          of_regions.add(surface_.region(f),
+                         {features_.normals[f], here - point, distance, extent_of(a, b, c)});
+        });
+    const auto is_wanted = [&](std::uint32_t e) {
+      return regions == nullptr || curves_[e] == curve;
+    };
+    curve_edges_.visit_near(
+        point, reach, is_wanted, [&](std::uint32_t e, const Vec3& here, double distance) {
+          const Vec3 way = points_[edges_[e][1]] - points_[edges_[e][0]];
+          const double extent = way.norm();
+          if (extent > 0) {
+            of_curves.add(curves_[e], {way / extent, here - point, distance, extent});
+          }
+        });
     return [of_regions = std::move(of_regions), of_curves = std::move(of_curves)](double within) {
       return std::max(of_regions.largest(within), of_curves.largest(within));
     };
@@ -203,55 +236,50 @@ bool EdgeLengths::share_a_region(std::uint32_t curve, std::uint32_t other) const
       own, [&](std::uint32_t r) { return std::ranges::find(regions, r) != regions.end(); });
 }
 
-double EdgeLengths::gap_beside(const Vec3& point, std::uint32_t curve,
-                               const std::vector<std::uint32_t>& without, double reach) const {
-  double nearest = reach;
-  curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
-    if (distance < nearest && share_a_region(curve, curves_[e]) &&
-        !std::ranges::binary_search(without, curves_[e])) {
-      nearest = distance;
-    }
-  });
-  return nearest;
-}
-
-double EdgeLengths::gap(const Vec3& point, std::uint32_t curve, double along, double reach) const {
-  // Of a circle, the way across is not less than 0.63 of that along it.
-  constexpr double kBack = 0.4;
-  double nearest = reach;
-  curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
-    const std::uint32_t other = curves_[e];
-    if (distance >= nearest || !share_a_region(curve, other)) {
-      return;
-    }
-    if (other == curve) {
-      const double extent = (points_[edges_[e][1]] - points_[edges_[e][0]]).norm();
-      const double ahead = starts_[e] - along, back = -ahead - extent;
-      const double way = std::max({ahead, back, 0.0});
-      if (distance >= kBack * std::min(way, curve_lengths_[curve] - way - extent)) {
-        return;
-      }
-    }
-    nearest = distance;
-  });
-  return nearest;
-}
-
-double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
-                                  Between between) const {
-  // Most are near: one that may be far is not looked for among all at once.
+// Most are near: one that may be far is not looked for among all at once.
+template <class Counts>
+double EdgeLengths::nearest_edge(const Vec3& point, double reach, const Counts& counts) const {
   constexpr double kFirst = 0x1p-12, kStep = 4;
   for (double within = kFirst * reach;; within = std::min(kStep * within, reach)) {
     double nearest = reach;
     curve_edges_.visit_near(point, within, [&](std::uint32_t e, const Vec3&, double distance) {
-      if (curves_[e] != curve && (between == Between::all || share_a_region(curve, curves_[e]))) {
-        nearest = std::min(nearest, distance);
+      if (distance < nearest && counts(e, distance)) {
+        nearest = distance;
       }
     });
     if (nearest < reach || !(within < reach)) {
       return nearest;
     }
   }
+}
+
+double EdgeLengths::gap_beside(const Vec3& point, std::uint32_t curve,
+                               const std::vector<std::uint32_t>& without, double reach) const {
+  return nearest_edge(point, reach, [&](std::uint32_t e, double) {
+    return share_a_region(curve, curves_[e]) && !std::ranges::binary_search(without, curves_[e]);
+  });
+}
+
+double EdgeLengths::gap(const Vec3& point, std::uint32_t curve, double along, double reach) const {
+  // Of a circle, the way across is not less than 0.63 of that along it.
+  constexpr double kBack = 0.4;
+  return nearest_edge(point, reach, [&](std::uint32_t e, double distance) {
+    const std::uint32_t other = curves_[e];
+    if (other != curve) {
+      return share_a_region(curve, other);
+    }
+    const double extent = (points_[edges_[e][1]] - points_[edges_[e][0]]).norm();
+    const double ahead = starts_[e] - along, back = -ahead - extent;
+    const double way = std::max({ahead, back, 0.0});
+    return distance < kBack * std::min(way, curve_lengths_[curve] - way - extent);
+  });
+}
+
+double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
+                                  Between between) const {
+  return nearest_edge(point, reach, [&](std::uint32_t e, double) {
+    return curves_[e] != curve && (between == Between::all || share_a_region(curve, curves_[e]));
+  });
 }
 
 void EdgeLengths::require_room(std::size_t most, Between between) const {

@@ -56,6 +56,9 @@ class EdgeLengths {
   [[nodiscard]] double length_at(const Vec3& point, double most,
                                  const std::array<std::uint32_t, 2>* regions,
                                  std::uint32_t curve) const;
+  /// From a point to the edges for which counts(edge, its distance); at most `reach`.
+  template <class Counts>
+  [[nodiscard]] double nearest_edge(const Vec3& point, double reach, const Counts& counts) const;
   [[nodiscard]] bool share_a_region(std::uint32_t curve, std::uint32_t other) const;
   [[nodiscard]] double gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
                                      Between between) const;
@@ -64,6 +67,7 @@ class EdgeLengths {
   const ReferenceSurface& surface_;
   const Features& features_;
   double distance_, largest_;
+  std::vector<std::uint8_t> is_flat_;  // per region
   // The edges of all curves, as triangles with two equal corners.
   std::vector<Vec3> points_;
   std::vector<Triangle> edges_;

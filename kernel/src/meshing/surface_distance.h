@@ -39,7 +39,16 @@ class ReferenceSurface {
   /// a distance.
   template <class Visit>
   void visit_near(const Vec3& point, double distance, Visit&& visit) const {
+    visit_near(
+        point, distance, [](std::uint32_t) { return true; }, visit);
+  }
+  /// The same for those of them for which is_wanted(triangle).
+  template <class IsWanted, class Visit>
+  void visit_near(const Vec3& point, double distance, IsWanted&& is_wanted, Visit&& visit) const {
     tree_.visit(frame_.around(frame_.map(point, point, point), distance), [&](std::uint32_t f) {
+      if (!is_wanted(f)) {
+        return;
+      }
       const Vec3 here = nearest_on(f, point);
       if (const double far = (here - point).norm(); far <= distance) {
         visit(f, here, far);
