@@ -284,6 +284,7 @@ void for_each_near_pair(const ResolvedAssembly& resolved, const Visit& visit) {
   }
   const auto boxes_along = [&](const View& axes) {
     std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(shapes.size());
     for (const PartSurface* shape : shapes) {
       boxes.push_back(part_box(*shape, axes));
     }

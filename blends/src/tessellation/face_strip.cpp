@@ -44,7 +44,7 @@ class FaceStrip::OutlineColumns {
       : width_(around / kColumns) {
     Vec2 a = places[outline.back()];
     for (const std::uint32_t corner : outline) {
-      const Vec2 b = places[corner];
+      const Vec2& b = places[corner];
       const auto [left, right] = std::minmax({a.x(), b.x()});
       for (double column = column_of(left); column <= column_of(right); ++column) {
         columns_[column].push_back({a, b});
