@@ -29,9 +29,10 @@ OutputReport without_contacts(const std::string& input, const Function& function
   try {
     return function();
   } catch (const Error& error) {
-    throw error.code() != Errc::contact
-        ? error
-        : Error(error.code(),
+    if (error.code() != Errc::contact) {
+      throw;
+    }
+    throw Error(error.code(),
                 error.message() + ": dupin repair " + input +
                     " -o OUT --contacts separate=LENGTH, or bridge=LENGTH",
                 error.part(), error.where());

@@ -58,7 +58,8 @@ class BoxesInTree {
   explicit BoxesInTree(std::span<const Eigen::AlignedBox3d> boxes)
       : boxes_(boxes), tree_(tree_of(boxes)) {}
 
-  const Eigen::AlignedBox3d& operator[](std::uint32_t i) const { return boxes_[i]; }
+  [[nodiscard]] std::size_t size() const { return boxes_.size(); }
+  const Eigen::AlignedBox3d& operator[](std::size_t i) const { return boxes_[i]; }
   /// Those that touch the box, ascending.
   [[nodiscard]] std::vector<std::uint32_t> touching(const Eigen::AlignedBox3d& box) const {
     std::vector<std::uint32_t> result;

@@ -33,20 +33,17 @@ using districts::TreeEntry;
 /// A box that contains one triangle contains the next, most likely.
 class Containment {
  public:
-  explicit Containment(std::span<const Eigen::AlignedBox3d> boxes)
-      : boxes_(boxes), tree_(tree_of(boxes)) {}
+  explicit Containment(std::span<const Eigen::AlignedBox3d> boxes) : boxes_(boxes) {}
 
   /// Whether one box has all three corners in its interior.
   [[nodiscard]] bool contains(const std::array<Eigen::AlignedBox3d, 3>& corners) {
     if (last_ < boxes_.size() && is_inside(corners, boxes_[last_])) {
       return true;
     }
-    std::vector<TreeEntry> around;
-    tree_.query(boost::geometry::index::intersects(tree_box(corners[0])),
-                std::back_inserter(around));
+    const std::vector<std::uint32_t> around = boxes_.touching(corners[0]);
     const auto found = std::ranges::find_if(
-        around, [&](const TreeEntry& entry) { return is_inside(corners, boxes_[entry.second]); });
-    last_ = found != around.end() ? found->second : last_;
+        around, [&](std::uint32_t i) { return is_inside(corners, boxes_[i]); });
+    last_ = found != around.end() ? *found : last_;
     return found != around.end();
   }
 
@@ -55,11 +52,9 @@ class Containment {
                             districts::Polygon triangle) const {
     Eigen::AlignedBox3d all = corners[0];
     all.extend(corners[1]).extend(corners[2]);
-    std::vector<TreeEntry> around;
-    tree_.query(boost::geometry::index::intersects(tree_box(all)), std::back_inserter(around));
     Boxes boxes;
-    for (const TreeEntry& entry : around) {
-      boxes.push_back(boxes_[entry.second]);
+    for (const std::uint32_t i : boxes_.touching(all)) {
+      boxes.push_back(boxes_[i]);
     }
     return districts::is_covered(std::move(triangle), boxes);
   }
@@ -73,8 +68,7 @@ class Containment {
     });
   }
 
-  std::span<const Eigen::AlignedBox3d> boxes_;
-  Tree tree_;
+  BoxesInTree boxes_;
   std::size_t last_ = support::kNone;
 };
 
@@ -209,6 +203,7 @@ class Names {
                      const std::vector<std::string>& names, std::size_t triangles,
                      std::vector<std::uint32_t>& all) {
     std::vector<std::uint32_t> numbers;
+    numbers.reserve(names.size());
     for (const std::string& name : names) {
       numbers.push_back(number(name));
     }
