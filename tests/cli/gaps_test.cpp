@@ -56,6 +56,17 @@ TEST_F(Gaps, connect_decides_what_belongs_together) {
   EXPECT_EQ(json({"gaps", "a.json", "--connect", "0.4"}, 0).at("findings"), 0);
 }
 
+TEST_F(Gaps, branches_that_start_at_one_place_of_their_run_fit) {
+  folder_.write("a.json", R"({"dupin": 1, "units": "mm", "tolerance": 0.01, "parts": [
+    {"name": "run", "pipe": {"from": [0, 0, 0], "to": [20, 0, 0], "radius": 2}},
+    {"name": "a", "pipe": {"on": "run", "at": 10, "direction": [0, 1, 0], "length": 5, "radius": 1}},
+    {"name": "b", "pipe": {"on": "run", "at": 10, "direction": [0, -1, 1], "length": 5, "radius": 1}}
+  ]})");
+  const auto summary = json({"gaps", "a.json"}, 0);
+  EXPECT_EQ(summary.at("findings"), 0);
+  EXPECT_EQ(summary.at("pairs").size(), 4U);
+}
+
 TEST_F(Gaps, meshes_apart_leave_a_slit) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   put("b.off", box({1 + 1.0 / 1024, 0, 0}, {2, 1, 1}));

@@ -33,11 +33,8 @@ using canal::Range;
 using Pipe = canal::StraightPipe;
 
 const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
-  const auto* chain = std::get_if<Chain>(&surface);
-  const auto* tube = chain != nullptr && chain->pieces.size() == 1 && chain->wall == 0
-                         ? std::get_if<RingedSurface>(&chain->pieces.front())
-                         : nullptr;
-  if (tube == nullptr || !std::holds_alternative<LineSpine>(tube->spine)) {
+  const RingedSurface* tube = canal::straight_tube(surface);
+  if (tube == nullptr) {
     throw Error(Errc::invalid_argument,
                 "'" + name + "' is no straight pipe or cone of circular sections");
   }

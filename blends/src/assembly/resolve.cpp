@@ -10,6 +10,7 @@
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/parts/part_kind.h"
+#include "assembly/parts/straight_run.h"
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -362,6 +363,9 @@ class Resolver {
       ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
                             {},        its_kind.is_tangent};
       resolved.is_closed = its_kind.closed_ends;
+      if (const auto* branch = std::get_if<PipeOn>(&part.shape)) {
+        resolved.run = index_.at(branch->run);
+      }
       for (const auto end : {End::start, End::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
@@ -377,6 +381,9 @@ class Resolver {
         if (joined) {
           joined->part = position[joined->part];
         }
+      }
+      if (part.run) {
+        part.run = position[*part.run];
       }
     }
     append_fillets(position, result);
@@ -486,10 +493,9 @@ class Resolver {
     const auto [first, is_new] =
         filleted.try_emplace(std::minmax({last.between[0], last.between[1]}), fillets.size() - 1);
     if (!is_new) {
-      fail(
-          last.index,
-          part_kind(assembly_.parts[last.index].shape).pipes(assembly_.parts[last.index].shape).key,
-          "the crossing of these parts has '" + fillets[first->second].name + "' already");
+      const PartShape& shape = assembly_.parts[last.index].shape;
+      fail(last.index, part_kind(shape).pipes(shape).key,
+           "the crossing of these parts has '" + fillets[first->second].name + "' already");
     }
   }
 
@@ -582,7 +588,9 @@ std::vector<Port> ports(const ResolvedAssembly& assembly) {
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(part.shape, end);
       const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
-      if (ring != nullptr && !buried.contains(index) && part.may_open(end)) {
+      const bool is_in_run = ring != nullptr && part.run && !part.joined.at(at(end)) &&
+                             assembly::is_within_run(assembly.parts[*part.run].shape, *ring);
+      if (ring != nullptr && !buried.contains(index) && part.may_open(end) && !is_in_run) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

@@ -11,6 +11,14 @@ constexpr int kSamples = 256;  // of a disc
 
 }  // namespace
 
+const RingedSurface* straight_tube(const PartSurface& surface) {
+  const auto* chain = std::get_if<Chain>(&surface);
+  const auto* tube = chain != nullptr && chain->pieces.size() == 1 && chain->wall == 0
+                         ? std::get_if<RingedSurface>(&chain->pieces.front())
+                         : nullptr;
+  return tube != nullptr && std::holds_alternative<LineSpine>(tube->spine) ? tube : nullptr;
+}
+
 StraightPipe::StraightPipe(const RingedSurface& tube, const std::string& name, double outward)
     : tube_(tube),
       name_(name),

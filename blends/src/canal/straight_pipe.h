@@ -30,6 +30,9 @@ struct Course {
 
 enum class Place { within, beside, across };
 
+/// The tube of a straight pipe or cone of circular sections; null for what is none.
+[[nodiscard]] const RingedSurface* straight_tube(const PartSurface& surface);
+
 /// A straight pipe or cone of circular sections, between its ends, which a fillet's loops lie on.
 /// `tube` and `name` have to outlive it.
 class StraightPipe {

@@ -168,6 +168,30 @@ TEST(Resolve, names_ends_after_caps_or_ports) {
   EXPECT_THAT(names, testing::ElementsAre("a.start", "a.end"));
 }
 
+std::vector<std::string> port_names(std::vector<Part> parts) {
+  std::vector<std::string> names;
+  for (const Port& port : ports(resolved(std::move(parts)))) {
+    names.push_back(port.name);
+  }
+  return names;
+}
+
+TEST(Resolve, starts_of_branches_in_their_runs_are_no_ports_unless_they_are_joined) {
+  using testing::Contains;
+  using testing::ElementsAre;
+  using testing::Not;
+  const Part run{"run", PipeBetween{{0, 0, 0}, {20, 0, 0}, 2}};
+  const auto branch = [](double at, double radius) {
+    return Part{"branch", PipeOn{"run", at, Vec3::UnitY(), 5, radius}};
+  };
+  EXPECT_THAT(port_names({run, branch(10, 1)}), ElementsAre("run.start", "run.end", "branch.end"));
+  EXPECT_THAT(port_names({branch(10, 2), run}), Not(Contains("branch.start")));  // as thick
+  EXPECT_THAT(port_names({run, branch(10, 2.1)}), Contains("branch.start"));     // stands out
+  EXPECT_THAT(port_names({run, branch(0.5, 1)}), Contains("branch.start"));      // at its rim
+  EXPECT_THAT(port_names({run, branch(10, 1), {"back", PipeAlong{start_of("branch"), 5}}}),
+              Contains("branch.start"));
+}
+
 TEST(Resolve, refuses_numbers_that_are_not) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const std::pair<PartShape, std::string> rows[] = {

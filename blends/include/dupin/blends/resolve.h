@@ -36,6 +36,7 @@ struct ResolvedPart {
   bool ends_in_hub = false;  ///< an arm of a junction, which has no end there
   /// Ends that are closed for good, and are no ports: a head's tip, both faces of a flange.
   std::array<bool, 2> is_closed{};
+  std::optional<std::uint32_t> run;  ///< the part on whose axis a branch starts
 
   /// Whether an end may be open: it is not closed for good, nor called as the part (`patches`).
   [[nodiscard]] bool may_open(End end) const {
@@ -119,7 +120,8 @@ class BuriedEnds {
 };
 
 /// All ports in document order, named "part.start" and "part.end", without those that are buried
-/// or called as their part (`patches`).
+/// or called as their part (`patches`), and without starts of branches that lie in their runs,
+/// which face nothing unless they are joined.
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
 
 }  // namespace dupin
