@@ -376,10 +376,9 @@ struct ExactArc {
   Polynomial weight;
 };
 
+ExactPoint exact(const PeVector& b) { return {b.m.x(), b.m.y(), b.m.z(), b.r}; }
+
 ExactArc exact_arc(const CyclidePiece& piece) {
-  const auto exact = [](const PeVector& b) -> ExactPoint {
-    return {b.m.x(), b.m.y(), b.m.z(), b.r};
-  };
   const ExactPoint first = exact(piece.first), tangent = exact(piece.tangent),
                    last = exact(piece.last);
   const mpq_class chord = piece.chord;
@@ -405,7 +404,7 @@ SphereMotion motion_of(const Curve& centers, const Polynomial& radius, const Pol
     if (!(w[0].lower > 0)) {
       return std::nullopt;
     }
-    return MovingSphere{m_times_w.over(from, to) / w, r_times_w.over(from, to) / w};
+    return MovingSphere{m_times_w.over(from, to) / w, r_times_w.over(from, to) / w, w};
   };
 }
 
@@ -434,28 +433,88 @@ SphereMotion approach(const CyclidePiece& piece) {
   return motion_of(centers, radius, arc.weight);
 }
 
-// Of spheres (m; r): circles about c = m - r r' m' / |m'|^2 across m', of radius r sqrt(1 - r'^2 /
-// |m'|^2).
+namespace {
+
+// How the circles of an arc move, (m; r) being its spheres, v = |m'|, n = m' / v and s = r' / v:
+// about c = m - r s n, across n. With T = tangent, D = last - first and the weight w, w^2 (m'; r')
+// is a T + b D of polynomials a and b, and a b' - a' b = k w with k = 2 <D, D>^2 / chord^3. So
+//   n' = k (T x D) x n / (w^3 v^2),  s' = k n.(D_r T - T_r D) / (w^3 v^2),
+//   c' = (v (1 - s^2) - r s') n - r s n',
+// which are exactly 0 where they should be.
+class Steering {
+ public:
+  explicit Steering(const CyclidePiece& piece) {
+    const ExactPoint first = exact(piece.first), last = exact(piece.last), t = exact(piece.tangent);
+    ExactPoint d;
+    mpq_class squared;
+    for (std::size_t k = 0; k < 4; ++k) {
+      d[k] = last[k] - first[k];
+      squared += (k < 3 ? 1 : -1) * d[k] * d[k];
+    }
+    const mpq_class chord = piece.chord;
+    rate_ = enclosed(2 * squared * squared / (chord * chord * chord));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      across_[k] = enclosed(t[i] * d[j] - t[j] * d[i]);
+      bend_[k] = enclosed(d[3] * t[k] - t[3] * d[k]);
+    }
+  }
+
+  // The derivatives of normal and centre.
+  void sharpen(MovingDisc& disc, const MovingSphere& sphere) const {
+    const Jet<2> w = shortened<2>(sphere.weight), r = shortened<2>(sphere.radius);
+    const JetVec<2> m1 = shortened<2>(derivative(sphere.center));
+    const Jet<2> speed = squared_norm(m1), v = sqrt(speed);
+    const Jet<2> rate = constant<2>(rate_) / (w * square(w) * speed);
+    JetVec<2> normal = shortened<2>(disc.normal);
+    set(normal, 1, rate[0] * numbers::cross(across_, part(normal, 0)));
+    const Jet<2> bend = rate * dot(normal, bend_);
+    const Jet<2> slope{{sphere.radius[1] / v[0], bend[0]}}, set_back = r * slope;
+    const JetVec<2> turning =
+        rate *
+        cross(JetVec<2>{constant<2>(across_[0]), constant<2>(across_[1]), constant<2>(across_[2])},
+              normal);
+    const Jet<2> advance = v * (constant<2>(1) - square(slope)) - r * bend;
+    const JetVec<2> velocity = advance * normal - set_back * turning;
+    for (const std::size_t order : {0U, 1U}) {
+      set(disc.normal, order + 1, part(turning, order));
+      set(disc.center, order + 1, part(velocity, order));
+    }
+  }
+
+ private:
+  template <std::size_t count>
+  static void set(JetVec<count>& v, std::size_t order, const IntervalVec& to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k][order] = to[k];
+    }
+  }
+
+  Interval rate_;
+  IntervalVec across_, bend_;
+};
+
+}  // namespace
+
 Motion motion(const CyclidePiece& piece, double wall) {
-  return [base = numbers::interval_vec(piece.first.m), spheres = sphere_motion(piece, wall)](
-             double from, double to) -> std::optional<MovingDisc> {
+  return [base = numbers::interval_vec(piece.first.m), spheres = sphere_motion(piece, wall),
+          steering = Steering(piece)](double from, double to) -> std::optional<MovingDisc> {
     const auto sphere = spheres(from, to);
     if (!sphere) {
       return std::nullopt;
     }
-    const auto& [m, r] = *sphere;
-    const JetVec<3> m1 = derivative(m);
-    const Jet<3> r1 = derivative(r), speed = squared_norm(m1);
-    Jet<3> slope = r1 * r1;
-    slope[0] = square(r1[0]);
+    const JetVec<3> m1 = derivative(sphere->center);
+    const Jet<3> r1 = derivative(sphere->radius), speed = squared_norm(m1), slope = square(r1);
     if (!((speed[0] - slope[0]).lower > 0)) {
       return std::nullopt;
     }
-    const Jet<3> pace = sqrt(speed - slope), value = shortened<3>(r);
-    const JetVec<3> center = shortened<3>(m);
+    const Jet<3> pace = sqrt(speed - slope), value = shortened<3>(sphere->radius);
+    const JetVec<3> center = shortened<3>(sphere->center);
     const JetVec<3> shift = (value * r1 / speed) * m1;
-    return MovingDisc{moved(center - shift, base), m1 / sqrt(speed), value * pace / sqrt(speed),
-                      pace};
+    MovingDisc disc{moved(center - shift, base), m1 / sqrt(speed), value * pace / sqrt(speed),
+                    pace};
+    steering.sharpen(disc, *sphere);
+    return disc;
   };
 }
 

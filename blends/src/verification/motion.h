@@ -25,10 +25,10 @@ struct MovingDisc {
 using Motion = std::function<std::optional<MovingDisc>(double from, double to)>;
 
 /// The spheres of a piece of a cyclide over a stretch, with three derivatives: centres less that of
-/// the first, and radii.
+/// the first, radii, and the weight that both are polynomials over.
 struct MovingSphere {
   JetVec<4> center;
-  Jet<4> radius;
+  Jet<4> radius, weight;
 };
 
 /// None where the numbers do not tell that there are spheres at all.

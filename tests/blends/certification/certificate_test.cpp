@@ -92,6 +92,28 @@ TEST(Certificate, of_bends_hardly_wider_than_their_pipe_is_found) {
   }
 }
 
+// Directions about equally far from each other. Of six and more arms nothing was found within the
+// work that a certificate may take.
+TEST(Certificate, of_hubs_of_many_arms_is_found) {
+  for (const int arms : {5, 6, 8, 12}) {
+    SCOPED_TRACE(arms);
+    Assembly assembly{"hub.json", Unit::millimetre, .1, {}, {}};
+    JunctionOfPorts junction;
+    for (int i = 0; i < arms; ++i) {
+      const double z = 1 - (2 * i + 1.) / arms, turn = 2 * i * std::numbers::pi / std::numbers::phi;
+      const Vec3 along(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn),
+                       z);
+      const std::string name = std::to_string(i);
+      assembly.parts.push_back({name, PipeBetween{40 * along, 15 * along, 3}});
+      junction.ends.push_back({name, End::end});
+    }
+    assembly.parts.push_back({"hub", junction});
+    const Certificate found = certify(assembly);
+    verify(found);
+    EXPECT_EQ(found.findings(), 0U);
+  }
+}
+
 // Rounding to the grid does not widen what their triangles span by a segment.
 TEST(Certificate, of_filleted_pipes_bounds_their_meshes_as_build_does) {
   for (const double radius : {9.0, 10.0, 12.5, 14.0}) {

@@ -248,5 +248,17 @@ TEST(Motion, of_what_is_straight_does_not_turn) {
   EXPECT_LT(numbers::norm(part(disc->normal, 2)).upper, 1e-10);
 }
 
+// Balls that grow along a line: circles across it, all the way.
+TEST(Motion, of_a_straight_piece_of_a_cyclide_does_not_turn) {
+  const Vec3 along = Vec3(1, 2, -.3).normalized();
+  const PeArc arc =
+      PeArc::from(test::sphere(0, 0, 0, 3), test::direction(along, 0), {5 * along, 5.5});
+  const auto disc = motion(test::cyclide_piece(arc), 0)(.25, .75);
+  ASSERT_TRUE(disc);
+  EXPECT_LT(numbers::norm(part(disc->normal, 1)).upper, 1e-12);
+  EXPECT_LT(numbers::norm(part(disc->normal, 2)).upper, 1e-10);
+  EXPECT_GT(numbers::dot(part(disc->center, 1), part(disc->normal, 0)).lower, .1);
+}
+
 }  // namespace
 }  // namespace dupin::verification
