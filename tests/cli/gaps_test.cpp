@@ -57,7 +57,7 @@ TEST_F(Gaps, connect_decides_what_belongs_together) {
 }
 
 TEST_F(Gaps, branches_that_start_at_one_place_of_their_run_fit) {
-  folder_.write("a.json", R"({"dupin": 1, "units": "mm", "tolerance": 0.01, "parts": [
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.01, "parts": [
     {"name": "run", "pipe": {"from": [0, 0, 0], "to": [20, 0, 0], "radius": 2}},
     {"name": "a", "pipe": {"on": "run", "at": 10, "direction": [0, 1, 0], "length": 5, "radius": 1}},
     {"name": "b", "pipe": {"on": "run", "at": 10, "direction": [0, -1, 1], "length": 5, "radius": 1}}

@@ -1,6 +1,7 @@
 #include "assembly/part_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -14,6 +15,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec3 axis(const View& axes, int k) { return k == 0 ? axes.right : k == 1 ? axes.up : axes.towards; }
+
+bool is_along_coordinates(const View& axes) {
+  return std::ranges::all_of(std::array{0, 1, 2}, [&](int k) {
+    return axis(axes, k).cwiseAbs().maxCoeff() == axis(axes, k).lpNorm<1>();
+  });
+}
 
 Eigen::AlignedBox3d everywhere() { return {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}; }
 
@@ -127,6 +134,9 @@ std::optional<View> main_axes(std::span<const PartSurface* const> parts) {
     }
   }
   const auto axes = view_of_most(chords);
+  if (axes && is_along_coordinates(*axes)) {
+    return std::nullopt;
+  }
   const auto surface = [&](const View& along) {
     double sum = 0;
     for (const PartSurface* part : parts) {

@@ -72,6 +72,9 @@ CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
 // So much a pair of parts that are far from each other costs, whatever else the work goes to.
 constexpr std::uint64_t kWorkOfPair = 8;
 
+// Boxes that all pairs together may take for tight bounds of their distances, and each at least.
+constexpr std::size_t kTightOfAll = 1 << 14, kLeastTight = 1 << 6;
+
 // Of so many parts each pair has a claim of its own if nothing else is asked for.
 constexpr std::size_t kFewParts = 64;
 
@@ -397,6 +400,7 @@ class Certifier {
       pairs = all_pairs(std::uint32_t(sweeps_.size()));
     }
     allow(kWorkOfPair * pairs->size());
+    tight_ = std::max(kLeastTight, kTightOfAll / std::max<std::size_t>(pairs->size(), 1));
     const auto at_hubs = arms_and_hubs();
     result_.clearances.resize(pairs->size());
     for_each_claim(pairs->size(), left_, [&](std::size_t i, ClaimWork& work) {
@@ -516,7 +520,7 @@ class Certifier {
     }
     const SweptDiscs first = sweeps_[i].with(&work.searches()),
                      second = sweeps_[j].with(&work.searches());
-    return ends.empty() ? certification::prove_clearance(first, second, options_.boxes)
+    return ends.empty() ? certification::prove_clearance(first, second, options_.boxes, tight_)
                         : certification::prove_joint(first, second, ends, options_.boxes);
   }
 
@@ -526,6 +530,7 @@ class Certifier {
   double grid_;  // of the meshes
   std::vector<assembly::WeldedRun> runs_;
   certification::WorkLeft left_;
+  std::size_t tight_ = 0;  // boxes of a pair
   std::vector<SweptDiscs> sweeps_;
   std::vector<verification::Solid> solids_;
   std::vector<verification::LoopArcs> loops_;

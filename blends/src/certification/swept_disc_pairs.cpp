@@ -288,9 +288,11 @@ std::size_t boxes_before_points(const SweptDiscs& first, const SweptDiscs& secon
 
 // Best first: the box with the smallest bound is divided until the bound is close to a distance
 // that certainly occurs, that of two points.
-ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second,
-                               std::size_t boxes) {
-  constexpr double kEnough = 0.9;  // of the distance
+ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second, std::size_t boxes,
+                               std::size_t tight) {
+  const auto enough = [=](std::size_t looked_at) {  // of the distance
+    return looked_at <= tight ? 0.9 : looked_at <= 2 * tight ? 0.5 : 0;
+  };
   const std::size_t tries = boxes_before_points(first, second);
   ClearanceClaim claim;
   const auto nearer = [](const Box& a, const Box& b) {
@@ -314,7 +316,7 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
   for (std::size_t looked_at = 0;; ++looked_at) {
     const Box& front = heap.front();
     occurs = std::min(occurs, distance_that_occurs(first, second, front));
-    if (front.apart.distance > 0 && front.apart.distance >= kEnough * occurs) {
+    if (front.apart.distance > 0 && front.apart.distance >= enough(looked_at) * occurs) {
       break;
     }
     const bool is_last =

@@ -5,6 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include "dupin/kernel/decimal.h"
 
@@ -55,9 +63,36 @@ std::vector<std::string> note_of(const Drawing& drawing, const DrawnPart& part,
   return lines;
 }
 
+using Corner = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
+using Corners = boost::geometry::model::box<Corner>;
+template <class What>
+using Tree =
+    boost::geometry::index::rtree<std::pair<Corners, What>, boost::geometry::index::quadratic<16>>;
+
+Corners corners_of(const Box& box) {
+  return {{box.min()[0], box.min()[1]}, {box.max()[0], box.max()[1]}};
+}
+
+Box around(const Vector2d& a, const Vector2d& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+// What touches the box, in order.
+template <class What>
+std::vector<What> near(const Tree<What>& tree, const Box& box) {
+  std::vector<What> found;
+  const auto take = [&](const auto& entry) { found.push_back(entry.second); };
+  tree.query(boost::geometry::index::intersects(corners_of(box)),
+             boost::make_function_output_iterator(take));
+  std::ranges::sort(found);
+  return found;
+}
+
 class NotePlacer {
  public:
-  explicit NotePlacer(PaperSheet& sheet) : sheet_(sheet) {}
+  explicit NotePlacer(PaperSheet& sheet) : sheet_(sheet) {
+    for (std::size_t i = 0; i < sheet_.lines.size(); ++i) {
+      add_line(i);
+    }
+  }
 
   void place(const std::vector<std::string>& note, const Vector2d& anchor) {
     double width = 0;
@@ -85,26 +120,40 @@ class NotePlacer {
   }
 
  private:
+  // A line of the sheet from one of its points to the next.
+  struct Stretch {
+    std::size_t line, point;
+    auto operator<=>(const Stretch&) const = default;
+  };
+
+  void add_line(std::size_t line) {
+    const auto& points = sheet_.lines[line].points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      lines_.insert({corners_of(around(points[i], points[i + 1])), {line, i}});
+    }
+  }
+
   [[nodiscard]] double cost_of(const Box& box, const Vector2d& anchor) const {
     const Box roomy(box.min() - Vector2d::Constant(1), box.max() + Vector2d::Constant(1));
     double cost = 0;
-    for (const Box& other : placed_) {
+    for (const std::size_t i : near(placed_boxes_, roomy.merged(around(anchor, box.center())))) {
+      const Box& other = placed_[i];
       const Box common = roomy.intersection(other);
       cost += common.isEmpty() ? 0 : 1000 + 100 * common.volume();
       cost += crosses(other, anchor, box.center()) ? 200 : 0;
     }
-    for (std::size_t i = 0; i < sheet_.lines.size(); ++i) {
-      const auto& points = sheet_.lines[i].points;
+    for (const Stretch& stretch : near(lines_, roomy)) {
+      const PaperLine& line = sheet_.lines[stretch.line];
       // Leaders are as bad as lines; axes are not.
-      const double weight = sheet_.lines[i].pen == Pen::center ? 2 : 15;
-      for (std::size_t j = 1; j < points.size(); ++j) {
-        cost += crosses(roomy, points[j - 1], points[j]) ? weight : 0;
-      }
+      const double weight = line.pen == Pen::center ? 2 : 15;
+      cost +=
+          crosses(roomy, line.points[stretch.point], line.points[stretch.point + 1]) ? weight : 0;
     }
     return cost;
   }
 
   void write(const std::vector<std::string>& note, const Box& box, const Vector2d& anchor) {
+    placed_boxes_.insert({corners_of(box), placed_.size()});
     placed_.push_back(box);
     for (std::size_t i = 0; i < note.size(); ++i) {
       sheet_.texts.push_back(
@@ -123,10 +172,14 @@ class NotePlacer {
       dot.points.emplace_back(anchor + kDot * Vector2d(std::cos(angle), std::sin(angle)));
     }
     sheet_.lines.push_back(std::move(dot));
+    add_line(sheet_.lines.size() - 2);
+    add_line(sheet_.lines.size() - 1);
   }
 
   PaperSheet& sheet_;
   std::vector<Box> placed_;
+  Tree<std::size_t> placed_boxes_;
+  Tree<Stretch> lines_;
 };
 
 bool is_outline(Pen pen) { return pen == Pen::contour || pen == Pen::edge || pen == Pen::hidden; }

@@ -15,6 +15,17 @@ double shortened(double margin) {
   return std::max(0.0, std::floor(margin * kDigits) / kDigits);
 }
 
+// On shorter stretches where the whole one tells nothing.
+double margin_within(const ParameterInterval& t, const MarginOver& bound) {
+  constexpr double kShortest = 0x1p-12;
+  const double margin = bound(t);
+  if (margin > 0 || t.to - t.from < kShortest) {
+    return margin;
+  }
+  const auto [before, after] = halves(t);
+  return std::min(margin_within(before, bound), margin_within(after, bound));
+}
+
 }  // namespace
 
 MovingRing leaving_canal(const Ring& ring) {
@@ -59,7 +70,7 @@ double nearly_largest_margin(const MarginOver& bound) {
   constexpr int kCells = 256;
   double least = 1;
   for (int i = 0; i < kCells; ++i) {
-    least = std::min(least, bound({double(i) / kCells, (i + 1.0) / kCells}));
+    least = std::min(least, margin_within({double(i) / kCells, (i + 1.0) / kCells}, bound));
   }
   return shortened(least * kShare);
 }

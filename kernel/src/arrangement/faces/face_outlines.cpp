@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Outlines with more corners are left to the triangulation of the whole face, which takes less.
 constexpr std::size_t kMostCorners = 512;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -112,19 +115,35 @@ bool FaceOutlines::segments_keep_apart() {
     }
     boxes_.push_back(box);
   }
+  const std::size_t x = thinner_axis(), y = 1 - x;
   std::ranges::sort(boxes_, {},
-                    [](const SegmentBox& box) { return std::pair(box.low[0], box.segment); });
+                    [=](const SegmentBox& box) { return std::pair(box.low[x], box.segment); });
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     const SegmentBox& box = boxes_[i];
-    for (std::size_t k = i + 1; k < boxes_.size() && boxes_[k].low[0] <= box.high[0]; ++k) {
+    for (std::size_t k = i + 1; k < boxes_.size() && boxes_[k].low[x] <= box.high[x]; ++k) {
       const SegmentBox& other = boxes_[k];
-      if (other.low[1] <= box.high[1] && box.low[1] <= other.high[1] &&
+      if (other.low[y] <= box.high[y] && box.low[y] <= other.high[y] &&
           !keep_apart(segments_[box.segment], segments_[other.segment])) {
         return false;
       }
     }
   }
   return true;
+}
+
+// Along which the boxes are shorter as a part of the way along all of them: fewer of them are side
+// by side. Segments across a long strip, as many as there are, all are along the other one.
+std::size_t FaceOutlines::thinner_axis() const {
+  std::array<double, 2> sum{};
+  SegmentBox all{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}, 0};
+  for (const SegmentBox& box : boxes_) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      sum[k] += box.high[k] - box.low[k];
+      all.low[k] = std::min(all.low[k], box.low[k]);
+      all.high[k] = std::max(all.high[k], box.high[k]);
+    }
+  }
+  return sum[1] * (all.high[0] - all.low[0]) < sum[0] * (all.high[1] - all.low[1]) ? 1 : 0;
 }
 
 // Whether they meet in a common end only. Those that run along each other from it are left to the

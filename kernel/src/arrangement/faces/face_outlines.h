@@ -38,6 +38,7 @@ class FaceOutlines {
   [[nodiscard]] bool collect_segments();
   [[nodiscard]] std::uint32_t& slot_of(PointId id);
   [[nodiscard]] bool segments_keep_apart();
+  [[nodiscard]] std::size_t thinner_axis() const;
   [[nodiscard]] bool keep_apart(const Segment& s, const Segment& t) const;
   [[nodiscard]] bool sort_around_points();
   [[nodiscard]] bool sort_around(Vertex v);
