@@ -73,7 +73,7 @@ CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
 constexpr std::uint64_t kWorkOfPair = 8;
 
 // Boxes that all pairs together may take for tight bounds of their distances, and each at least.
-constexpr std::size_t kTightOfAll = 1 << 14, kLeastTight = 1 << 6;
+constexpr std::size_t kTightOfAll = 1 << 16, kLeastTight = 1 << 7;
 
 // Of so many parts each pair has a claim of its own if nothing else is asked for.
 constexpr std::size_t kFewParts = 64;

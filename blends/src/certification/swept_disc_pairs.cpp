@@ -291,7 +291,7 @@ std::size_t boxes_before_points(const SweptDiscs& first, const SweptDiscs& secon
 ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second, std::size_t boxes,
                                std::size_t tight) {
   const auto enough = [=](std::size_t looked_at) {  // of the distance
-    return looked_at <= tight ? 0.9 : looked_at <= 2 * tight ? 0.5 : 0;
+    return looked_at <= tight ? 0.9 : looked_at <= 2 * tight ? 0.6 : 0.3;
   };
   const std::size_t tries = boxes_before_points(first, second);
   ClearanceClaim claim;

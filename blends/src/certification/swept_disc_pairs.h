@@ -39,8 +39,8 @@ struct JoinedEnds {
                                          const std::vector<JoinedEnds>& joints, std::size_t boxes);
 
 /// Finds a lower bound of the distance of two sets of discs, or a point in both. The bound is nine
-/// tenths of the distance where that takes no more than `tight` boxes, half of it with twice as
-/// many, then anything above 0.
+/// tenths of the distance where that takes no more than `tight` boxes, six with twice as many, then
+/// three.
 [[nodiscard]] ClearanceClaim prove_clearance(
     const SweptDiscs& first, const SweptDiscs& second, std::size_t boxes,
     std::size_t tight = std::numeric_limits<std::size_t>::max() / 2);
