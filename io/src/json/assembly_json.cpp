@@ -171,10 +171,11 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
   if (document.has("patches")) {
     const JsonNode patches = document.at("patches");
     patches.require_object();
-    for (const auto& [name, other] : patches.value().items()) {
-      const std::string text = patches.at(name).text();
+    for (const auto& [name, value] : patches.value().items()) {
+      const JsonNode other = patches.with(value, name);
+      const std::string text = other.text();
       if (text.empty()) {
-        patches.at(name).fail("a patch needs a name");
+        other.fail("a patch needs a name");
       }
       assembly.patches[name] = text;
     }

@@ -37,7 +37,7 @@ std::string after(std::string_view mark, const std::string& what) {
   return start == std::string::npos ? what : what.substr(start + mark.size());
 }
 
-constexpr std::size_t kMostKeys = 1024;  // of one object, where keys are looked up one by one
+constexpr std::size_t kMostKeys = 4096;  // of one object, where keys are looked up one by one
 
 // Follows the parser to find repeated keys, which a JSON value cannot hold. What is malformed ends
 // the search: whoever makes the value says so. (The library's own parser with a callback looks at
