@@ -323,6 +323,25 @@ Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
   return box;
 }
 
+namespace {
+
+// Of boxes that are not empty.
+std::vector<std::size_t> in_order_of_place(const Boxes& boxes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) {
+      order.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const Vec3 &low = boxes[i].min(), &high = boxes[i].max();
+    return std::array{low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+  });
+  return order;
+}
+
+}  // namespace
+
 OperandDistricts operand_districts(std::span<const Eigen::AlignedBox3d> boxes,
                                    const DistrictMargin& margin) {
   Boxes wide(boxes.begin(), boxes.end());
@@ -342,10 +361,7 @@ OperandDistricts operand_districts(std::span<const Eigen::AlignedBox3d> boxes,
   OperandDistricts result;
   const std::vector<std::uint32_t> of_box = districts_of(wide);
   std::vector<std::optional<std::size_t>> place(boxes.size());  // by number
-  for (std::size_t i = 0; i < wide.size(); ++i) {
-    if (wide[i].isEmpty()) {
-      continue;
-    }
+  for (const std::size_t i : in_order_of_place(wide)) {
     std::optional<std::size_t>& known = place[of_box[i]];
     if (!known) {
       known = result.operands.size();

@@ -20,8 +20,11 @@ namespace dupin::cli {
 [[nodiscard]] Eigen::AlignedBox3d box_of(const TriMesh& mesh);
 
 /// Operands in groups whose boxes touch: the union is that of each, side by side.
+///
+/// Both are in the order of their places, so that what is made of them does not depend on the order
+/// in which operands are given.
 struct OperandDistricts {
-  std::vector<std::vector<std::size_t>> operands;  ///< per district, ascending
+  std::vector<std::vector<std::size_t>> operands;  ///< per district
   std::vector<Boxes> boxes;                        ///< likewise
 };
 

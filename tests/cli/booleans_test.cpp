@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -145,6 +146,25 @@ TEST_F(MeshCommands, union_takes_any_number_of_files_and_keeps_their_labels) {
   EXPECT_EQ(json(command, 0).at("check").at("volume"), 15.5);
   const auto names = json({"info", "all.stl"}, 0).at("names");
   EXPECT_EQ(names.size(), 30) << "every box shows some of its sides";
+}
+
+// Two that cross, and two by themselves, one of which is larger than all.
+TEST_F(MeshCommands, unions_have_the_same_bytes_in_whatever_order_operands_are_given) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  put("c.off", box({-5, 0, 0}, {-4, 1, 1}));
+  put("d.off", box({5, -9, -9}, {9, 9, 9}));
+  for (const std::string out : {"out.off", "out.stl", "out.ply", "out.glb", "out.3mf"}) {
+    std::vector<std::string> files{"a.off", "b.off", "c.off", "d.off"};
+    std::string first;
+    do {
+      std::vector<std::string> command{"union", "-o", out};
+      command.insert(command.end(), files.begin(), files.end());
+      EXPECT_EQ(json(command, 0).at("check").at("components"), 3);
+      first = first.empty() ? folder_.read(out) : first;
+      EXPECT_TRUE(folder_.read(out) == first) << out << ": " << files[0] << " " << files[1];
+    } while (std::ranges::next_permutation(files).found);
+  }
 }
 
 TEST_F(MeshCommands, boolean_evaluates_an_expression_of_named_files) {

@@ -250,6 +250,7 @@ TEST_F(DividedUnion, has_the_same_bytes_for_all_numbers_of_tiles) {
     EXPECT_TRUE(united(files, in_pieces({"--tiles", tiles})).second == bytes) << tiles;
   }
   EXPECT_TRUE(united(files, in_pieces({"--memory", "6MB"})).second == bytes);
+  EXPECT_TRUE(united({files.rbegin(), files.rend()}, in_pieces()).second == bytes);
   std::vector<std::string> without{"union", "-o", "out.stl", "--memory", "6MB"};
   without.insert(without.end(), files.begin(), files.end());
   EXPECT_EQ(dupin(without).exit_code, 3);
