@@ -10,7 +10,7 @@
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/parts/part_kind.h"
-#include "assembly/parts/straight_run.h"
+#include "canal/straight_pipe.h"
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -363,9 +363,6 @@ class Resolver {
       ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
                             {},        its_kind.is_tangent};
       resolved.is_closed = its_kind.closed_ends;
-      if (const auto* branch = std::get_if<PipeOn>(&part.shape)) {
-        resolved.run = index_.at(branch->run);
-      }
       for (const auto end : {End::start, End::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
@@ -382,8 +379,8 @@ class Resolver {
           joined->part = position[joined->part];
         }
       }
-      if (part.run) {
-        part.run = position[*part.run];
+      if (const auto* branch = std::get_if<PipeOn>(&assembly_.parts[part.index].shape)) {
+        part.run = position[index_.at(branch->run)];
       }
     }
     append_fillets(position, result);
@@ -589,7 +586,7 @@ std::vector<Port> ports(const ResolvedAssembly& assembly) {
       const Ring* ring = port_ring(part.shape, end);
       const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
       const bool is_in_run = ring != nullptr && part.run && !part.joined.at(at(end)) &&
-                             assembly::is_within_run(assembly.parts[*part.run].shape, *ring);
+                             canal::is_within_run(assembly.parts[*part.run].shape, *ring);
       if (ring != nullptr && !buried.contains(index) && part.may_open(end) && !is_in_run) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }

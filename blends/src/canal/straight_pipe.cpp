@@ -19,6 +19,11 @@ const RingedSurface* straight_tube(const PartSurface& surface) {
   return tube != nullptr && std::holds_alternative<LineSpine>(tube->spine) ? tube : nullptr;
 }
 
+bool is_within_run(const PartSurface& run, const Ring& disc) {
+  const RingedSurface* tube = straight_tube(run);
+  return tube != nullptr && StraightPipe(*tube, {}, 0).buries(disc);
+}
+
 StraightPipe::StraightPipe(const RingedSurface& tube, const std::string& name, double outward)
     : tube_(tube),
       name_(name),

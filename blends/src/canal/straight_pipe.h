@@ -72,4 +72,8 @@ class StraightPipe {
   double length_;
 };
 
+/// Whether a disc lies inside a straight pipe or cone, which it may touch; of what is none it is
+/// not asked.
+[[nodiscard]] bool is_within_run(const PartSurface& run, const Ring& disc);
+
 }  // namespace dupin::canal

@@ -53,19 +53,29 @@ numbers::IntervalVec axis_of(const numbers::Quaternion<numbers::Interval>& a,
   return {n[1], n[2], n[3]};
 }
 
+// What both hold.
+numbers::IntervalVec common(const numbers::IntervalVec& a, const numbers::IntervalVec& b) {
+  numbers::IntervalVec result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = {std::max(a[k].lower, b[k].lower), std::min(a[k].upper, b[k].upper)};
+  }
+  return result;
+}
+
 }  // namespace
 
 // Circles about c = m - r s n across n, of radius r sqrt(1 - s^2), for spheres (m; r) = p / w, with
 // v = |m'|, n = m' / v and s = r' / v. A multiple w^2 (m'; r') is a (tangent) + b (last - first),
 // where a and b are quadratic and a b' - a' b = k w: there is nothing to cancel in
 //   n' = k (tangent x d) x n / (w^3 v^2),  s' = k n.(d_r tangent - tangent_r d) / (w^3 v^2),
-//   c' = (v (1 - s^2) - r s') n - r s n'.
+//   c' = (v (1 - s^2) - r s') n - r s n',
+// which are tighter where the circle hardly turns; the derivatives of m / |m| elsewhere.
 std::optional<MovingDisc> moving_disc(const CyclidePiece& piece, const numbers::Interval& t,
                                       double wall) {
   const numbers::IntervalVec base = numbers::interval_vec(piece.first.m),
                              tangent = numbers::interval_vec(piece.tangent.m);
   const numbers::IntervalVec d = numbers::interval_vec(piece.last.m) - base;
-  const numbers::Interval dr = numbers::Interval(piece.last.r) - piece.first.r;
+  const numbers::Interval dr = numbers::Interval(piece.last.r) - piece.first.r, two = 2;
   const numbers::Interval squared = numbers::dot(d, d) - square(dr), chord = piece.chord;
   const numbers::Interval along = numbers::dot(d, tangent) - dr * piece.tangent.r;
   const numbers::Interval middle = along / chord, last = squared / square(chord);
@@ -82,20 +92,28 @@ std::optional<MovingDisc> moving_disc(const CyclidePiece& piece, const numbers::
   }
   const numbers::Interval over_w = numbers::Interval(1) / w[0];
   const numbers::IntervalVec m = over_w * p[0], m1 = over_w * (p[1] - w[1] * m);
-  const numbers::Interval full = over_w * s[0], r1 = over_w * (s[1] - w[1] * full), r = full - wall;
+  const numbers::IntervalVec m2 = over_w * (p[2] - two * w[1] * m1 - w[2] * m);
+  const numbers::Interval full = over_w * s[0], r1 = over_w * (s[1] - w[1] * full);
+  const numbers::Interval r2 = over_w * (s[2] - two * w[1] * r1 - w[2] * full), r = full - wall;
   const numbers::Interval v2 = square(m1[0]) + square(m1[1]) + square(m1[2]);
   if (!((v2 - square(r1)).lower > 0)) {
     return std::nullopt;
   }
-  const numbers::Interval v = numbers::sqrt(v2), slope = r1 / v, set_back = r * slope;
+  const numbers::Interval v = numbers::sqrt(v2), slope = r1 / v, set_back = r * slope,
+                          q = set_back / v;
+  const numbers::Interval q1 = (square(r1) + r * r2 - two * q * numbers::dot(m1, m2)) / v2;
   const numbers::IntervalVec normal = numbers::Interval(1) / v * m1;
   const numbers::Interval rate = numbers::Interval(4) * half * last / (w[0] * square(w[0]) * v2);
-  const numbers::IntervalVec turning = rate * numbers::cross(numbers::cross(tangent, d), normal);
+  const numbers::IntervalVec turning =
+      common(numbers::Interval(1) / v * (m2 - numbers::dot(normal, m2) * normal),
+             rate * numbers::cross(numbers::cross(tangent, d), normal));
   const numbers::Interval bend =
       rate * numbers::dot(normal, dr * tangent - numbers::Interval(piece.tangent.r) * d);
   const numbers::Interval advance = v * (numbers::Interval(1) - square(slope)) - r * bend;
-  return MovingDisc{base + (m - set_back * normal), normal, advance * normal - set_back * turning,
-                    turning, r * numbers::sqrt(v2 - square(r1)) / v};
+  return MovingDisc{
+      base + (m - set_back * normal), normal,
+      common((numbers::Interval(1) - q1) * m1 - q * m2, advance * normal - set_back * turning),
+      turning, r * numbers::sqrt(v2 - square(r1)) / v};
 }
 
 std::optional<MovingDisc> moving_disc(const RationalRingedSurface& surface,

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include "dupin/kernel/decimal.h"
 
@@ -23,6 +20,7 @@ using Eigen::Vector2d;
 using Box = Eigen::AlignedBox2d;
 
 constexpr double kLineHeight = 1.5 * kTextHeight;
+constexpr double kSquare = 10;  // of paper, in millimetres
 
 // Letters of most fonts are no wider on average.
 double width_of(const std::string& text) {
@@ -63,28 +61,46 @@ std::vector<std::string> note_of(const Drawing& drawing, const DrawnPart& part,
   return lines;
 }
 
-using Corner = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using Corners = boost::geometry::model::box<Corner>;
-template <class What>
-using Tree =
-    boost::geometry::index::rtree<std::pair<Corners, What>, boost::geometry::index::quadratic<16>>;
-
-Corners corners_of(const Box& box) {
-  return {{box.min()[0], box.min()[1]}, {box.max()[0], box.max()[1]}};
-}
-
 Box around(const Vector2d& a, const Vector2d& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
 
-// What touches the box, in order.
+// Things on paper by the squares that they reach into.
 template <class What>
-std::vector<What> near(const Tree<What>& tree, const Box& box) {
-  std::vector<What> found;
-  const auto take = [&](const auto& entry) { found.push_back(entry.second); };
-  tree.query(boost::geometry::index::intersects(corners_of(box)),
-             boost::make_function_output_iterator(take));
-  std::ranges::sort(found);
-  return found;
-}
+class PaperGrid {
+ public:
+  void insert(const Box& box, const What& what) {
+    for_each_square(box, [&](const Square& square) { squares_[square].push_back(what); });
+  }
+
+  // What has a square in common with the box, in order.
+  [[nodiscard]] std::vector<What> near(const Box& box) const {
+    std::vector<What> found;
+    for_each_square(box, [&](const Square& square) {
+      if (const auto own = squares_.find(square); own != squares_.end()) {
+        found.insert(found.end(), own->second.begin(), own->second.end());
+      }
+    });
+    std::ranges::sort(found);
+    const auto repeated = std::ranges::unique(found);
+    found.erase(repeated.begin(), repeated.end());
+    return found;
+  }
+
+ private:
+  using Square = std::array<double, 2>;  // whole numbers
+
+  template <class Visit>
+  static void for_each_square(const Box& box, const Visit& visit) {
+    const Eigen::Array2d low = (box.min() / kSquare).array().floor(),
+                         high = (box.max() / kSquare).array().floor();
+    for (double x = low[0]; x <= high[0]; ++x) {
+      for (double y = low[1]; y <= high[1]; ++y) {
+        visit({x, y});
+      }
+    }
+  }
+
+  std::map<Square, std::vector<What>> squares_;
+};
 
 class NotePlacer {
  public:
@@ -126,23 +142,29 @@ class NotePlacer {
     auto operator<=>(const Stretch&) const = default;
   };
 
+  // Piece by piece, for long ones at an angle.
   void add_line(std::size_t line) {
     const auto& points = sheet_.lines[line].points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      lines_.insert({corners_of(around(points[i], points[i + 1])), {line, i}});
+      const Vector2d way = points[i + 1] - points[i];
+      const double pieces = std::max(1.0, std::ceil(way.cwiseAbs().minCoeff() / kSquare));
+      for (double k = 0; k < pieces; ++k) {
+        lines_.insert(around(points[i] + k / pieces * way, points[i] + (k + 1) / pieces * way),
+                      {line, i});
+      }
     }
   }
 
   [[nodiscard]] double cost_of(const Box& box, const Vector2d& anchor) const {
     const Box roomy(box.min() - Vector2d::Constant(1), box.max() + Vector2d::Constant(1));
     double cost = 0;
-    for (const std::size_t i : near(placed_boxes_, roomy.merged(around(anchor, box.center())))) {
+    for (const std::size_t i : placed_boxes_.near(roomy.merged(around(anchor, box.center())))) {
       const Box& other = placed_[i];
       const Box common = roomy.intersection(other);
       cost += common.isEmpty() ? 0 : 1000 + 100 * common.volume();
       cost += crosses(other, anchor, box.center()) ? 200 : 0;
     }
-    for (const Stretch& stretch : near(lines_, roomy)) {
+    for (const Stretch& stretch : lines_.near(roomy)) {
       const PaperLine& line = sheet_.lines[stretch.line];
       // Leaders are as bad as lines; axes are not.
       const double weight = line.pen == Pen::center ? 2 : 15;
@@ -153,7 +175,7 @@ class NotePlacer {
   }
 
   void write(const std::vector<std::string>& note, const Box& box, const Vector2d& anchor) {
-    placed_boxes_.insert({corners_of(box), placed_.size()});
+    placed_boxes_.insert(box, placed_.size());
     placed_.push_back(box);
     for (std::size_t i = 0; i < note.size(); ++i) {
       sheet_.texts.push_back(
@@ -178,8 +200,8 @@ class NotePlacer {
 
   PaperSheet& sheet_;
   std::vector<Box> placed_;
-  Tree<std::size_t> placed_boxes_;
-  Tree<Stretch> lines_;
+  PaperGrid<std::size_t> placed_boxes_;
+  PaperGrid<Stretch> lines_;
 };
 
 bool is_outline(Pen pen) { return pen == Pen::contour || pen == Pen::edge || pen == Pen::hidden; }

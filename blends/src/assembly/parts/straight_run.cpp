@@ -5,7 +5,6 @@
 
 #include "assembly/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
-#include "canal/straight_pipe.h"
 #include "dupin/kernel/decimal.h"
 
 namespace dupin::assembly {
@@ -46,11 +45,6 @@ Vec3 point_on_run(const PartContext& context, const RunAxis& run, double at) {
              ", not " + (at > 0 ? decimal_at_most(at) : decimal(at)));
   }
   return run.from + std::min(at, run.length) * run.direction;
-}
-
-bool is_within_run(const PartSurface& run, const Ring& disc) {
-  const RingedSurface* tube = canal::straight_tube(run);
-  return tube != nullptr && canal::StraightPipe(*tube, {}, 0).buries(disc);
 }
 
 }  // namespace dupin::assembly

@@ -21,8 +21,4 @@ struct RunAxis {
 /// The point `at` along it. Fails where that is not on the part.
 [[nodiscard]] Vec3 point_on_run(const PartContext& context, const RunAxis& run, double at);
 
-/// Whether a disc lies inside a straight part of circular sections, which it may touch; of other
-/// parts it is not asked.
-[[nodiscard]] bool is_within_run(const PartSurface& run, const Ring& disc);
-
 }  // namespace dupin::assembly
