@@ -15,10 +15,9 @@ namespace {
 using Term = CountEquation::Term;
 
 int preferred(const UnknownCount& unknown) {
-  return unknown.most == 0                             ? 0
-         : unknown.majority == 0 && unknown.least == 0 ? 0
-         : unknown.majority >= 0                       ? 1
-                                                       : -1;
+  return unknown.most == 0 || (unknown.may_vanish && unknown.least == 0) ? 0
+         : unknown.majority >= 0                                         ? 1
+                                                                         : -1;
 }
 
 /// Unknowns that are alike, by what they add up to.

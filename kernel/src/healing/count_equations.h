@@ -12,6 +12,7 @@ struct UnknownCount {
   std::size_t size = 0;       ///< how many faces
   int least = 0, most = 0;    ///< of the count's size; the first 0 or 1
   std::int64_t majority = 0;  ///< of faces that are the one way round over those the other way
+  bool may_vanish = false;  ///< a sheet, as often the one way as the other: rather 0, if it may be
 };
 
 /// Adds up to zero.

@@ -50,6 +50,7 @@ struct Patch {
   int least = 0, most = 0;    ///< of the count's size
   std::int64_t majority = 0;  ///< of triangles as they are, relative to the first one
   bool is_one_sided = false;
+  bool is_balanced = true;  ///< each triangle as often the one way as the other
 };
 
 struct Patches {
@@ -118,6 +119,7 @@ class PatchFinder {
     patch.least = std::max(patch.least, least);
     patch.most = std::min(patch.most, most);
     patch.majority += std::int64_t{found_.sign[t]} * given;
+    patch.is_balanced &= given == 0;
   }
 
   std::span<const CountRange> ranges_;
@@ -156,12 +158,19 @@ std::vector<CountEquation> find_equations(const mesh::EdgeTable& edges, const Pa
   return equations;
 }
 
-std::vector<UnknownCount> find_unknowns(std::span<const Patch> patches) {
+// What ends nowhere is a body, of which one is to be left, however its copies are turned.
+std::vector<UnknownCount> find_unknowns(std::span<const Patch> patches,
+                                        std::span<const CountEquation> equations) {
   std::vector<UnknownCount> unknowns;
   unknowns.reserve(patches.size());
   for (const Patch& patch : patches) {
     unknowns.push_back(
-        {patch.size, patch.least, patch.is_one_sided ? 0 : patch.most, patch.majority});
+        {patch.size, patch.least, patch.is_one_sided ? 0 : patch.most, patch.majority, false});
+  }
+  for (const CountEquation& equation : equations) {
+    for (const CountEquation::Term& term : equation.terms) {
+      unknowns[term.unknown].may_vanish = patches[term.unknown].is_balanced;
+    }
   }
   return unknowns;
 }
@@ -251,7 +260,7 @@ class Closing {
     const Patches patches = PatchFinder(edges_, ranges).find(wanted);
     refuse_one_sided(patches.patches, points_, triangles_);
     const std::vector<CountEquation> equations = find_equations(edges_, patches);
-    const std::vector<UnknownCount> unknowns = find_unknowns(patches.patches);
+    const std::vector<UnknownCount> unknowns = find_unknowns(patches.patches, equations);
     std::array<std::vector<int>, 2> both;
     for (const bool trusting : {true, false}) {
       const std::vector<int> solution = solved_counts(unknowns, equations, trusting);

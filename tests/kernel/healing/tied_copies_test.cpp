@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/repair.h"
+#include "dupin/kernel/solid.h"
+#include "support/shapes.h"
+
+// Bodies that are there several times, faces of each turned: as many one way as the other or not,
+// one of them is left.
+namespace dupin {
+namespace {
+
+using test::box;
+using test::joined;
+using test::tetrahedron;
+
+mpq_class repaired_volume(const TriMesh& mesh) { return repair(mesh).solid.exact_volume(); }
+
+// Those faces turned whose bits are set.
+TriMesh turned(TriMesh mesh, std::uint32_t faces) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if ((faces >> i & 1) != 0) {
+      std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+    }
+  }
+  return mesh;
+}
+
+TEST(TiedCopies, of_two_tetrahedra_in_one_place_one_is_left_whichever_faces_are_turned) {
+  const TriMesh one = tetrahedron({0, 0, 0}, 2), beside = tetrahedron({9, 0, 0}, 2);
+  const mpq_class volume = Solid::from(one).exact_volume();
+  for (std::uint32_t first = 0; first < 16; ++first) {
+    for (std::uint32_t second = 0; second < 16; ++second) {
+      SCOPED_TRACE(testing::Message() << first << ' ' << second);
+      const TriMesh both = joined({turned(one, first), turned(one, second)});
+      EXPECT_EQ(repaired_volume(both), volume);
+      EXPECT_EQ(repaired_volume(joined({beside, both})), 2 * volume);
+    }
+  }
+}
+
+TEST(TiedCopies, of_boxes_in_one_place_one_is_left_whichever_faces_are_turned) {
+  std::mt19937 random(31);
+  const TriMesh one = box({0, 0, 0}, {1, 1, 1});
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE(round);
+    const auto faces = static_cast<std::uint32_t>(random());
+    EXPECT_EQ(repaired_volume(joined({turned(one, faces), turned(one, faces)})), 1);
+    std::vector<TriMesh> copies;
+    for (int i = 0; i < 2 + round % 3; ++i) {
+      copies.push_back(turned(one, static_cast<std::uint32_t>(random())));
+    }
+    EXPECT_EQ(repaired_volume(joined(copies)), 1);
+  }
+}
+
+// A corner, an edge and a side in common: what hangs together is more than the one.
+TEST(TiedCopies, of_a_body_that_touches_another_one_is_left_whichever_faces_are_turned) {
+  std::mt19937 random(32);
+  const TriMesh one = box({0, 0, 0}, {1, 1, 1});
+  for (const Vec3& low : {Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(1, 0, 0)}) {
+    const TriMesh other = box(low, low + Vec3::Ones());
+    for (int round = 0; round < 200; ++round) {
+      SCOPED_TRACE(testing::Message() << low.transpose() << ' ' << round);
+      const auto faces = static_cast<std::uint32_t>(random());
+      const TriMesh twice = joined({turned(one, faces), turned(one, faces)});
+      EXPECT_EQ(repaired_volume(joined({twice, other})), 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
