@@ -87,14 +87,23 @@ class ShellFinder {
   ShellFinder(std::span<const Vec3> points, std::span<const Triangle> triangles)
       : mesh_(points, triangles), edges_(triangles, points.size()), sets_(triangles.size()) {}
 
-  mesh::Shells find() {
+  ClosedShells find() {
     join_simple_edges();
     if (!open_.empty()) {
       join_copies();
       join_without_choice();
       join_by_angles();
     }
-    return mesh::grouped(sets_.representatives());
+    ClosedShells found{mesh::grouped(sets_.representatives()), {}};
+    for (const auto& [a, b] : neighbours_) {
+      const auto [low, high] =
+          std::minmax(found.shells.of_face[a / 3], found.shells.of_face[b / 3]);
+      if (low != high) {
+        found.told_apart.emplace_back(low, high);
+      }
+    }
+    support::sort_unique(found.told_apart);
+    return found;
   }
 
  private:
@@ -323,6 +332,15 @@ class ShellFinder {
     place_of_set_ = places_of_sets(mesh_.triangles, places, set_of_face, is_wanted);
   }
 
+  // Half-edges of levels side by side.
+  void note_neighbours(const HalfEdges& around, const std::vector<int>& levels) {
+    for (std::size_t i = 1; i < around.size(); ++i) {
+      if (levels[i - 1] != levels[i]) {
+        neighbours_.emplace_back(around[i - 1], around[i]);
+      }
+    }
+  }
+
   // Faces that begin and end one level of winding pair up around the edge: above the middle level
   // those with more winding between them, below it those with less.
   void join_wedges(const OpenEdge& open, bool is_negative) {
@@ -334,6 +352,7 @@ class ShellFinder {
       levels.push_back(begins ? level : level - 1);
       level += begins ? 1 : -1;
     }
+    note_neighbours(around, levels);
     const auto [lowest, highest] = std::ranges::minmax(levels);
     for (int at = lowest; at <= highest; ++at) {
       HalfEdges of_level;
@@ -380,11 +399,12 @@ class ShellFinder {
   std::vector<OpenEdge> open_;
   CopyRanks copies_;
   std::vector<std::uint32_t> place_of_set_;  // per face
+  std::vector<Pair> neighbours_;             // half-edges
 };
 
 }  // namespace
 
-mesh::Shells closed_shells(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+ClosedShells closed_shells(std::span<const Vec3> points, std::span<const Triangle> triangles) {
   return ShellFinder(points, triangles).find();
 }
 

@@ -1,11 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "dupin/kernel/mesh.h"
 #include "mesh/edge_table.h"
 
 namespace dupin::healing {
+
+using ShellPair = std::pair<std::uint32_t, std::uint32_t>;
+
+struct ClosedShells {
+  mesh::Shells shells;
+  std::vector<ShellPair> told_apart;  ///< by angles around an edge of both; the lower one first
+};
 
 /// Divides faces that run along each edge as often one way as the other into shells that do, too,
 /// however the faces are numbered. Copies of a face may belong to different shells.
@@ -21,7 +31,7 @@ namespace dupin::healing {
 /// edges.
 ///
 /// O(n), and O(n log n) where angles are needed.
-[[nodiscard]] mesh::Shells closed_shells(std::span<const Vec3> points,
+[[nodiscard]] ClosedShells closed_shells(std::span<const Vec3> points,
                                          std::span<const Triangle> triangles);
 
 }  // namespace dupin::healing

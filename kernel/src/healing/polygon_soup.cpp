@@ -35,16 +35,47 @@ struct InsideOut {
   std::size_t cavities = 0;  // shells of negative volume, once these are turned
 };
 
+// Per shell the number of those around it. Where some of one sign of volume were told apart by
+// angles only, around edges that they share, they might as well be others that cross, and not one
+// within the other: of these the inmost counts alone, and only around what is none of them.
+std::vector<int> depths_of(const ClosedShells& closed, std::span<const int> signs,
+                           const ShellEnclosure& enclosure) {
+  std::vector<std::vector<std::uint32_t>> within(closed.shells.count);  // told apart, of one sign
+  for (const auto& [a, b] : closed.told_apart) {
+    if (signs[a] == signs[b]) {
+      for (const auto& [outer, inner] : {ShellPair(a, b), ShellPair(b, a)}) {
+        if (std::ranges::binary_search(enclosure.around(inner), outer)) {
+          within[outer].push_back(inner);
+        }
+      }
+    }
+  }
+  std::vector<int> depths;
+  depths.reserve(closed.shells.count);
+  for (std::uint32_t shell = 0; shell < closed.shells.count; ++shell) {
+    const auto around = enclosure.around(shell);
+    const auto is_replaced = [&](std::uint32_t outer) {
+      return std::ranges::any_of(within[outer], [&](std::uint32_t inner) {
+        return inner == shell || std::ranges::binary_search(around, inner);
+      });
+    };
+    depths.push_back(
+        static_cast<int>(std::ssize(around) - std::ranges::count_if(around, is_replaced)));
+  }
+  return depths;
+}
+
 // Shells of negative volume that an even number of others encloses, and those right inside of one
 // of these that face it as a cavity's wall does.
 InsideOut inside_out(const PolygonSoup& soup) {
-  const mesh::Shells shells = closed_shells(soup.points, soup.triangles);
+  const ClosedShells closed = closed_shells(soup.points, soup.triangles);
+  const mesh::Shells& shells = closed.shells;
   const std::vector<int> signs = volume_signs(soup, shells);
   if (std::ranges::find(signs, -1) == signs.end()) {
     return {};
   }
   const ShellEnclosure enclosure(soup, shells, signs);
-  const std::vector<int> depths = enclosure.depths();
+  const std::vector<int> depths = depths_of(closed, signs, enclosure);
   std::vector<std::size_t> to_turn;
   InsideOut result;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {

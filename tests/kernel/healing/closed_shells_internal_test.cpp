@@ -12,7 +12,7 @@ using test::reversed;
 
 std::size_t shells_of(const TriMesh& mesh) {
   const PolygonSoup soup = merge_duplicate_points(mesh).soup;
-  return closed_shells(soup.points, soup.triangles).count;
+  return closed_shells(soup.points, soup.triangles).shells.count;
 }
 
 // Over and under one base, and two over it of which one is within the other.

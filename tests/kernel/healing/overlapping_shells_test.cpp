@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/repair.h"
+#include "dupin/kernel/solid.h"
+#include "support/shapes.h"
+
+// Shells that overlap and have the faces in common where they do, some of them inside out: none of
+// what they bound is lost.
+namespace dupin {
+namespace {
+
+using test::box;
+using test::joined;
+using test::reversed;
+
+mpq_class repaired_volume(const TriMesh& mesh) { return repair(mesh).solid.exact_volume(); }
+
+/// From one cross section to another, both whole numbers; its sides are divided at those between.
+struct Beam {
+  std::uint32_t from, to;
+};
+
+// Sides have the same triangles in all beams that have them.
+TriMesh surface_of(const Beam& beam) {
+  TriMesh mesh;
+  for (std::uint32_t x = beam.from; x <= beam.to; ++x) {
+    for (const auto& [y, z] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+      mesh.points.emplace_back(x, y, z);
+    }
+  }
+  const std::uint32_t last = 4 * (beam.to - beam.from);
+  for (std::uint32_t at = 0; at < last; at += 4) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = at + k, b = at + (k + 1) % 4;
+      mesh.triangles.push_back({a, b, b + 4});
+      mesh.triangles.push_back({a, b + 4, a + 4});
+    }
+  }
+  mesh.triangles.push_back({0, 2, 1});
+  mesh.triangles.push_back({0, 3, 2});
+  mesh.triangles.push_back({last, last + 1, last + 2});
+  mesh.triangles.push_back({last, last + 2, last + 3});
+  return mesh;
+}
+
+std::uint32_t length_of_union(const std::vector<Beam>& beams) {
+  std::uint32_t length = 0;
+  for (std::uint32_t x = 0; x < 16; ++x) {
+    length += std::ranges::any_of(beams, [&](const Beam& b) { return b.from <= x && x < b.to; });
+  }
+  return length;
+}
+
+// Those whose bits are set inside out.
+TriMesh soup_of(const std::vector<Beam>& beams, std::uint32_t inside_out) {
+  std::vector<TriMesh> meshes;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const TriMesh mesh = surface_of(beams[i]);
+    meshes.push_back((inside_out >> i & 1) != 0 ? reversed(mesh) : mesh);
+  }
+  return joined(meshes);
+}
+
+// None is within another one: that could be the wall of a cavity.
+const std::vector<std::vector<Beam>> kBeams = {
+    {{0, 2}, {1, 3}},         {{0, 3}, {1, 4}},         {{0, 3}, {2, 5}},
+    {{0, 2}, {1, 3}, {2, 4}}, {{0, 2}, {1, 3}, {3, 4}}, {{0, 3}, {1, 4}, {2, 5}},
+    {{0, 2}, {1, 3}, {4, 6}}, {{0, 2}, {1, 4}, {3, 5}}, {{0, 3}, {2, 5}, {4, 7}, {6, 8}}};
+
+TEST(OverlappingShells, beams_that_overlap_all_count_where_all_or_none_are_inside_out) {
+  for (const std::vector<Beam>& beams : kBeams) {
+    const std::uint32_t volume = length_of_union(beams), all = (1U << beams.size()) - 1;
+    for (const std::uint32_t inside_out : {0U, all}) {
+      SCOPED_TRACE(testing::Message() << &beams - kBeams.data() << ' ' << inside_out);
+      const TriMesh mesh = soup_of(beams, inside_out);
+      EXPECT_EQ(repaired_volume(mesh), volume);
+      EXPECT_EQ(repaired_volume(joined({mesh, box({0, 5, 0}, {1, 6, 1})})), volume + 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
