@@ -175,8 +175,10 @@ class ShellFinder {
     return true;
   }
 
-  // In rounds, so that the order of edges does not matter: what closes itself, or is closed by the
-  // only other one that ends along the same edges, else what only one face can close.
+  // In rounds, so that the order of edges does not matter: what closes itself, or what only one
+  // face can close, else what the only other one closes that ends along the same edges. That comes
+  // last: of two bodies that overlap, one inside out, what is left without their common part does
+  // so.
   void join_without_choice() {
     constexpr int kMostRounds = 64;  // each looks at all edges
     std::vector<Pair> pairs;
@@ -186,11 +188,11 @@ class ShellFinder {
         drop_closed(open);
       }
       std::erase_if(open_, [](const OpenEdge& open) { return open.half_edges.empty(); });
-      find_mates(pairs);
+      for (OpenEdge& open : open_) {
+        find_forced(open, pairs);
+      }
       if (pairs.empty()) {
-        for (OpenEdge& open : open_) {
-          find_forced(open, pairs);
-        }
+        find_mates(pairs);
       }
       for (const Pair& pair : pairs) {
         join(pair);

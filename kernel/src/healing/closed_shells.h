@@ -22,13 +22,14 @@ struct ClosedShells {
 ///
 /// Faces hang together where an edge has two, and copies of two faces where all at an edge are
 /// such, one by one. What then has as many faces one way as the other at an edge closes itself
-/// there. Of others at the edge, copies of one face do not close each other unless they have to;
-/// what ends along the same edges as only one other closes it; and what that leaves open is paired
-/// by the exact angles around the edge, level by level of winding: above the middle level as the
-/// surfaces of the wedges that are wound around more often, below it of those that are less often,
-/// and at it likewise by the sign of the volume of all that hangs together, so that turning
-/// everything over changes nothing. What lies on each other there is in layers, the same at all
-/// edges.
+/// there. Of others at the edge, copies of one face do not close each other unless they have to,
+/// which may leave only one face that can; else what ends along the same edges as only one other
+/// closes it; and what that leaves open is paired by the exact angles around the edge, level by
+/// level of winding: above the middle level as the surfaces of the wedges that are wound around
+/// more often, below it of those that are less often, and at it likewise by the sign of the volume
+/// of all that hangs together, so that turning everything over changes nothing. What lies on each
+/// other there is in layers, the same at all edges. So what crosses itself along edges becomes
+/// shells of which one is within the other, where others that cross would do as well.
 ///
 /// O(n), and O(n log n) where angles are needed.
 [[nodiscard]] ClosedShells closed_shells(std::span<const Vec3> points,

@@ -24,11 +24,12 @@ struct SettledCopies {
 /// is enough. Elsewhere a triangle counts at most as often as it is there, and at least once unless
 /// there are copies that may cancel: both ways, or away from edges that no other triangle has; what
 /// hangs together by edges of two different triangles has one orientation, that of most of it, and
-/// one count; and edges of more settle the rest, the largest such parts first. Where that leaves an
-/// opening, counts of single triangles are changed as long as that makes it smaller; and if that
-/// does not close it, all of it is tried once more with copies that may cancel anywhere, as long as
-/// something is left of what hangs together. If none of it closes the surface, it stays open.
-/// `was_turned`: empty, or 1 per triangle that was turned before: such copies are dropped first.
+/// one count, which is not zero if it ends nowhere; and edges of more settle the rest, the largest
+/// such parts first. Where that leaves an opening, counts of single triangles are changed as long
+/// as that makes it smaller; and if that does not close it, all of it is tried once more with
+/// copies that may cancel anywhere, as long as something is left of what hangs together. If none of
+/// it closes the surface, it stays open. `was_turned`: empty, or 1 per triangle that was turned
+/// before: such copies are dropped first.
 ///
 /// O(n log n). Throws Error{not_oriented} for what has only one side.
 SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned = {});

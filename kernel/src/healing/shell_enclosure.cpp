@@ -224,13 +224,4 @@ ShellEnclosure::ShellEnclosure(const PolygonSoup& soup, const mesh::Shells& shel
                                std::span<const int> signs)
     : around_(EnclosureFinder(soup, shells, signs).find()) {}
 
-std::vector<int> ShellEnclosure::depths() const {
-  std::vector<int> depths;
-  depths.reserve(around_.size());
-  for (const auto& outer : around_) {
-    depths.push_back(static_cast<int>(outer.size()));
-  }
-  return depths;
-}
-
 }  // namespace dupin::healing

@@ -17,8 +17,7 @@ class ShellEnclosure {
   /// `signs`: of the volumes of the shells. Those that are nothing are around nothing.
   ShellEnclosure(const PolygonSoup& soup, const mesh::Shells& shells, std::span<const int> signs);
 
-  /// Per shell the number of those around it.
-  [[nodiscard]] std::vector<int> depths() const;
+  /// Ascending.
   [[nodiscard]] std::span<const std::uint32_t> around(std::size_t shell) const {
     return around_[shell];
   }

@@ -66,16 +66,35 @@ TriMesh soup_of(const std::vector<Beam>& beams, std::uint32_t inside_out) {
 }
 
 // None is within another one: that could be the wall of a cavity.
-const std::vector<std::vector<Beam>> kBeams = {
-    {{0, 2}, {1, 3}},         {{0, 3}, {1, 4}},         {{0, 3}, {2, 5}},
-    {{0, 2}, {1, 3}, {2, 4}}, {{0, 2}, {1, 3}, {3, 4}}, {{0, 3}, {1, 4}, {2, 5}},
-    {{0, 2}, {1, 3}, {4, 6}}, {{0, 2}, {1, 4}, {3, 5}}, {{0, 3}, {2, 5}, {4, 7}, {6, 8}}};
+const std::vector<std::vector<Beam>> kChains = {{{0, 2}, {1, 3}},
+                                                {{0, 3}, {1, 4}},
+                                                {{0, 3}, {2, 5}},
+                                                {{0, 2}, {1, 3}, {3, 4}},
+                                                {{0, 2}, {1, 3}, {4, 6}},
+                                                {{0, 2}, {1, 4}, {3, 5}},
+                                                {{0, 3}, {2, 5}, {4, 7}, {6, 8}}};
+const std::vector<std::vector<Beam>> kHeaps = {
+    {{0, 2}, {1, 3}, {2, 4}}, {{0, 3}, {1, 4}, {2, 5}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 TEST(OverlappingShells, beams_that_overlap_all_count_where_all_or_none_are_inside_out) {
-  for (const std::vector<Beam>& beams : kBeams) {
+  std::vector<std::vector<Beam>> both = kChains;
+  both.insert(both.end(), kHeaps.begin(), kHeaps.end());
+  for (const std::vector<Beam>& beams : both) {
     const std::uint32_t volume = length_of_union(beams), all = (1U << beams.size()) - 1;
     for (const std::uint32_t inside_out : {0U, all}) {
-      SCOPED_TRACE(testing::Message() << &beams - kBeams.data() << ' ' << inside_out);
+      SCOPED_TRACE(testing::Message() << (&beams - both.data()) << "," << inside_out);
+      const TriMesh mesh = soup_of(beams, inside_out);
+      EXPECT_EQ(repaired_volume(mesh), volume);
+      EXPECT_EQ(repaired_volume(joined({mesh, box({0, 5, 0}, {1, 6, 1})})), volume + 1);
+    }
+  }
+}
+
+TEST(OverlappingShells, beams_that_overlap_all_count_whichever_are_inside_out) {
+  for (const std::vector<Beam>& beams : kChains) {
+    const std::uint32_t volume = length_of_union(beams);
+    for (std::uint32_t inside_out = 0; inside_out < 1U << beams.size(); ++inside_out) {
+      SCOPED_TRACE(testing::Message() << (&beams - kChains.data()) << "," << inside_out);
       const TriMesh mesh = soup_of(beams, inside_out);
       EXPECT_EQ(repaired_volume(mesh), volume);
       EXPECT_EQ(repaired_volume(joined({mesh, box({0, 5, 0}, {1, 6, 1})})), volume + 1);
