@@ -73,5 +73,25 @@ TEST(TiedCopies, of_a_body_that_touches_another_one_is_left_whichever_faces_are_
   }
 }
 
+// Over and under one base: the wall between them is there as often as both are.
+TEST(TiedCopies, of_bodies_with_a_face_in_common_one_each_is_left_whichever_faces_are_turned) {
+  std::mt19937 random(33);
+  TriMesh over = tetrahedron({0, 0, 0}, 2), under = test::reversed(over);
+  under.points[3].z() = -2;
+  const mpq_class volume = 2 * Solid::from(over).exact_volume();
+  for (int round = 0; round < 500; ++round) {
+    SCOPED_TRACE(round);
+    std::vector<TriMesh> meshes;
+    for (const TriMesh& body : {over, under}) {
+      const auto faces = static_cast<std::uint32_t>(random());
+      meshes.push_back(turned(body, faces));
+      for (int i = round % 3; i > 0; --i) {
+        meshes.push_back(turned(body, faces));
+      }
+    }
+    EXPECT_EQ(repaired_volume(joined(meshes)), volume);
+  }
+}
+
 }  // namespace
 }  // namespace dupin
