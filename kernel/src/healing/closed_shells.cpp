@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -194,6 +195,9 @@ class ShellFinder {
       if (pairs.empty()) {
         find_mates(pairs);
       }
+      if (pairs.empty() && !open_.empty()) {
+        find_lids(pairs);
+      }
       for (const Pair& pair : pairs) {
         join(pair);
       }
@@ -294,12 +298,68 @@ class ShellFinder {
                   [&](std::uint32_t h) { return std::ranges::find(paired, h) != paired.end(); });
   }
 
+  // Of copies of the same faces, one each for what nothing else closes where they end: bodies of
+  // which one ends where another begins, inside a third.
+  void find_lids(std::vector<Pair>& pairs) {
+    place_sets();
+    std::vector<Boundary> all = find_boundaries();
+    const auto key = [this](const Boundary& lid) {
+      return std::tuple(place_of_set_[lid.half_edge / 3], lid.is_turned);
+    };
+    std::map<std::uint32_t, const Boundary*> of_set;
+    std::map<std::size_t, const OpenEdge*> at;
+    std::ranges::stable_sort(all, {}, key);
+    for (const Boundary& boundary : all) {
+      of_set[sets_.find(boundary.half_edge / 3)] = &boundary;
+    }
+    for (const OpenEdge& open : open_) {
+      at[open.edge] = &open;
+    }
+    for (auto begin = all.begin(); begin != all.end();) {
+      const auto end = std::find_if(
+          begin, all.end(), [&](const Boundary& other) { return key(other) != key(*begin); });
+      const OpenEdge& open = *at[begin->edges.front().first];
+      auto lid = begin;
+      for (auto h = open.half_edges.begin(); end - begin > 1 && h != open.half_edges.end(); ++h) {
+        const Boundary*& body = of_set[sets_.find(*h / 3)];
+        if (lid != end && body != nullptr && has_hole(*body, *begin) &&
+            needs_one_of(*h, open, *begin)) {
+          pairs.emplace_back(*h, lid->half_edge);
+          neighbours_.emplace_back(begin->half_edge, lid->half_edge);
+          body = nullptr;  // one of a round
+          ++lid;
+        }
+      }
+      begin = end;
+    }
+  }
+
+  // If nothing closes the half-edge but what is a copy of the lid.
+  [[nodiscard]] bool needs_one_of(std::uint32_t h, const OpenEdge& open, const Boundary& lid) {
+    return is_up(h) != is_up(lid.half_edge) &&
+           std::ranges::all_of(open.half_edges, [&](std::uint32_t k) {
+             return is_up(k) == is_up(h) || face(k) == face(h) ||
+                    place_of_set_[k / 3] == place_of_set_[lid.half_edge / 3];
+           });
+  }
+
+  // If a boundary has all of the lid's edges, run the other way.
+  static bool has_hole(const Boundary& boundary, const Boundary& lid) {
+    return std::ranges::all_of(lid.edges, [&](const std::pair<std::size_t, int>& end) {
+      const auto found = std::ranges::lower_bound(boundary.edges, end.first, {},
+                                                  &std::pair<std::size_t, int>::first);
+      return found != boundary.edges.end() && found->first == end.first &&
+             found->second * (boundary.is_turned == lid.is_turned ? -1 : 1) == end.second;
+    });
+  }
+
   // Edge by edge, so that what one of them joins closes itself at the next: where faces lie on each
   // other, any of them would do at each edge, but the same one has to at all.
   void join_by_angles() {
     if (open_.empty()) {
       return;
     }
+    place_sets();
     put_in_order();
     const mesh::Shells all = mesh::shells(mesh_.triangles.size(), edges_);
     std::vector<std::optional<bool>> is_negative(all.count);
@@ -317,13 +377,19 @@ class ShellFinder {
     }
   }
 
-  // Edges by their ends, and what hangs together at them by its faces.
+  // Edges by their ends.
   void put_in_order() {
-    const std::vector<std::uint32_t> places = places_by_coordinates(mesh_.points);
     std::ranges::sort(open_, {}, [&](const OpenEdge& open) {
       const mesh::Edge edge = edges_[open.edge];
-      return std::minmax({places[edge.low], places[edge.high]});
+      return std::minmax({places_[edge.low], places_[edge.high]});
     });
+  }
+
+  // What hangs together at open edges, by its faces.
+  void place_sets() {
+    if (places_.empty()) {
+      places_ = places_by_coordinates(mesh_.points);
+    }
     const std::vector<std::uint32_t> set_of_face = sets_.representatives();
     std::vector<std::uint8_t> is_wanted(set_of_face.size(), 0);
     for (const OpenEdge& open : open_) {
@@ -331,7 +397,7 @@ class ShellFinder {
         is_wanted[set_of_face[h / 3]] = 1;
       }
     }
-    place_of_set_ = places_of_sets(mesh_.triangles, places, set_of_face, is_wanted);
+    place_of_set_ = places_of_sets(mesh_.triangles, places_, set_of_face, is_wanted);
   }
 
   // Half-edges of levels side by side.
@@ -400,6 +466,7 @@ class ShellFinder {
   support::DisjointSets sets_;  // of faces
   std::vector<OpenEdge> open_;
   CopyRanks copies_;
+  std::vector<std::uint32_t> places_;        // of points
   std::vector<std::uint32_t> place_of_set_;  // per face
   std::vector<Pair> neighbours_;             // half-edges
 };

@@ -14,7 +14,8 @@ using ShellPair = std::pair<std::uint32_t, std::uint32_t>;
 
 struct ClosedShells {
   mesh::Shells shells;
-  std::vector<ShellPair> told_apart;  ///< by angles around an edge of both; the lower one first
+  /// By angles around an edge of both, or as copies are; the lower one first.
+  std::vector<ShellPair> told_apart;
 };
 
 /// Divides faces that run along each edge as often one way as the other into shells that do, too,
@@ -24,7 +25,8 @@ struct ClosedShells {
 /// such, one by one. What then has as many faces one way as the other at an edge closes itself
 /// there. Of others at the edge, copies of one face do not close each other unless they have to,
 /// which may leave only one face that can; else what ends along the same edges as only one other
-/// closes it; and what that leaves open is paired by the exact angles around the edge, level by
+/// closes it; else what can be closed there by copies of the same faces only is closed by one of
+/// these; and what that leaves open is paired by the exact angles around the edge, level by
 /// level of winding: above the middle level as the surfaces of the wedges that are wound around
 /// more often, below it of those that are less often, and at it likewise by the sign of the volume
 /// of all that hangs together, so that turning everything over changes nothing. What lies on each

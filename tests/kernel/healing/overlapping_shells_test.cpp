@@ -66,15 +66,13 @@ TriMesh soup_of(const std::vector<Beam>& beams, std::uint32_t inside_out) {
 }
 
 // None is within another one: that could be the wall of a cavity.
-const std::vector<std::vector<Beam>> kChains = {{{0, 2}, {1, 3}},
-                                                {{0, 3}, {1, 4}},
-                                                {{0, 3}, {2, 5}},
-                                                {{0, 2}, {1, 3}, {3, 4}},
-                                                {{0, 2}, {1, 3}, {4, 6}},
-                                                {{0, 2}, {1, 4}, {3, 5}},
-                                                {{0, 3}, {2, 5}, {4, 7}, {6, 8}}};
-const std::vector<std::vector<Beam>> kHeaps = {
-    {{0, 2}, {1, 3}, {2, 4}}, {{0, 3}, {1, 4}, {2, 5}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+const std::vector<std::vector<Beam>> kChains = {
+    {{0, 2}, {1, 3}},         {{0, 3}, {1, 4}},
+    {{0, 3}, {2, 5}},         {{0, 2}, {1, 3}, {2, 4}},
+    {{0, 2}, {1, 3}, {3, 4}}, {{0, 2}, {1, 3}, {4, 6}},
+    {{0, 2}, {1, 4}, {3, 5}}, {{0, 3}, {2, 5}, {4, 7}, {6, 8}}};
+const std::vector<std::vector<Beam>> kHeaps = {{{0, 3}, {1, 4}, {2, 5}},
+                                               {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 TEST(OverlappingShells, beams_that_overlap_all_count_where_all_or_none_are_inside_out) {
   std::vector<std::vector<Beam>> both = kChains;
