@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -64,10 +65,22 @@ class EnclosureFinder {
     for (auto& outer : around) {
       std::ranges::sort(outer);
     }
-    return around;
+    return one_way(around);
   }
 
  private:
+  // Without those of one place, however their faces divide it.
+  static std::vector<std::vector<std::uint32_t>> one_way(
+      const std::vector<std::vector<std::uint32_t>>& around) {
+    std::vector<std::vector<std::uint32_t>> kept(around.size());
+    for (std::uint32_t shell = 0; shell < around.size(); ++shell) {
+      std::ranges::copy_if(
+          around[shell], std::back_inserter(kept[shell]),
+          [&](std::uint32_t outer) { return !std::ranges::binary_search(around[outer], shell); });
+    }
+    return kept;
+  }
+
   // Of shells of the same faces that turn the same way, or all the other way, one stands for all.
   void group_copies() {
     same_as_.resize(shells_.count);

@@ -10,8 +10,8 @@
 namespace dupin::healing {
 
 /// Which shells of a soup are around which. The shells are closed; they may touch and cross each
-/// other, and share faces. One is around another if this is nowhere outside of it, and they are not
-/// of the same faces.
+/// other, and share faces. One is around another if this is nowhere outside of it, and they do not
+/// bound the same.
 class ShellEnclosure {
  public:
   /// `signs`: of the volumes of the shells. Those that are nothing are around nothing.

@@ -42,6 +42,7 @@ TEST(ShellEnclosure, boxes_within_may_touch_the_outer_one) {
 
 TEST(ShellEnclosure, what_crosses_or_coincides_is_not_within) {
   EXPECT_EQ(depths(kOuter, kOuter), (std::vector{0, 0}));
+  EXPECT_EQ(depths(kOuter, test::cut_otherwise(kOuter)), (std::vector{0, 0}));
   EXPECT_EQ(depths(kOuter, box({7, 7, 7}, {9, 9, 9})), (std::vector{0, 0}));
   // In its box, but for a corner outside of it.
   const TriMesh outer = test::tetrahedron({0, 0, 0}, 8);

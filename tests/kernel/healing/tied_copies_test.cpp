@@ -16,6 +16,7 @@ namespace {
 
 using test::box;
 using test::joined;
+using test::moved;
 using test::tetrahedron;
 
 mpq_class repaired_volume(const TriMesh& mesh) { return repair(mesh).solid.exact_volume(); }
@@ -91,6 +92,20 @@ TEST(TiedCopies, of_bodies_with_a_face_in_common_one_each_is_left_whichever_face
     }
     EXPECT_EQ(repaired_volume(joined(meshes)), volume);
   }
+}
+
+// They are no copies, but bound the same: neither is a cavity in the other.
+TEST(TiedCopies, of_boxes_in_one_place_with_other_diagonals_one_is_left_whichever_is_inside_out) {
+  const TriMesh one = box({0, 0, 0}, {1, 1, 1}), other = test::cut_otherwise(one);
+  const TriMesh around = box({-1, -1, -1}, {2, 2, 2});
+  for (const TriMesh& first : {one, test::reversed(one)}) {
+    for (const TriMesh& second : {other, test::reversed(other)}) {
+      EXPECT_EQ(repaired_volume(joined({first, second})), 1);
+      EXPECT_EQ(repaired_volume(joined({first, second, moved(one, Vec3(5, 0, 0))})), 2);
+    }
+  }
+  // A cavity that is there twice is one.
+  EXPECT_EQ(repaired_volume(joined({around, test::reversed(one), test::reversed(other)})), 26);
 }
 
 }  // namespace
