@@ -1,6 +1,9 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
+#include "support/disjoint_sets.h"
 #include "support/sequences.h"
 
 namespace dupin::healing {
@@ -35,16 +39,66 @@ struct InsideOut {
   std::size_t cavities = 0;  // shells of negative volume, once these are turned
 };
 
+using Ends = std::array<std::uint32_t, 2>;
+
+Triangle ascending(Triangle corners) {
+  std::ranges::sort(corners);
+  return corners;
+}
+
+std::array<Ends, 3> edges_of(const Triangle& t) {
+  const auto [a, b, c] = ascending(t);
+  return {Ends{a, b}, Ends{a, c}, Ends{b, c}};
+}
+
+// If what a shell has alone is in several parts without the edges that another one has, too.
+bool is_parted_by(std::span<const Triangle> shell, std::span<const Triangle> other) {
+  std::set<Triangle> faces;
+  std::set<Ends> edges;
+  for (const Triangle& t : other) {
+    faces.insert(ascending(t));
+    for (const Ends& edge : edges_of(t)) {
+      edges.insert(edge);
+    }
+  }
+  std::map<Ends, std::uint32_t> face_at;
+  support::DisjointSets parts(shell.size());
+  std::set<std::uint32_t> alone;
+  for (std::uint32_t i = 0; i < shell.size(); ++i) {
+    if (faces.contains(ascending(shell[i]))) {
+      continue;
+    }
+    alone.insert(i);
+    for (const Ends& edge : edges_of(shell[i])) {
+      if (!edges.contains(edge)) {
+        parts.unite(i, face_at.try_emplace(edge, i).first->second);
+      }
+    }
+  }
+  return std::ranges::any_of(
+      alone, [&](std::uint32_t i) { return parts.find(i) != parts.find(*alone.begin()); });
+}
+
+// If shells of which one is within the other might as well be two that cross: parts of the one go
+// on as parts of the other, and neither of what results is within the other.
+bool may_cross(const PolygonSoup& soup, const mesh::Shells& shells, const ShellPair& pair) {
+  const std::span all(std::as_const(soup.triangles));
+  const auto a = support::selected(all, shells.faces_of(pair.first)),
+             b = support::selected(all, shells.faces_of(pair.second));
+  return is_parted_by(a, b) && is_parted_by(b, a);
+}
+
 // Per shell the number of those around it. Where some of one sign of volume were told apart by
 // angles only, around edges that they share, they might as well be others that cross, and not one
 // within the other: of these the inmost counts alone, and only around what is none of them.
-std::vector<int> depths_of(const ClosedShells& closed, std::span<const int> signs,
-                           const ShellEnclosure& enclosure) {
+std::vector<int> depths_of(const PolygonSoup& soup, const ClosedShells& closed,
+                           std::span<const int> signs, const ShellEnclosure& enclosure) {
   std::vector<std::vector<std::uint32_t>> within(closed.shells.count);  // told apart, of one sign
   for (const auto& [a, b] : closed.told_apart) {
     if (signs[a] == signs[b]) {
       for (const auto& [outer, inner] : {ShellPair(a, b), ShellPair(b, a)}) {
-        if (std::ranges::binary_search(enclosure.around(inner), outer)) {
+        if (std::ranges::binary_search(enclosure.around(inner), outer) &&
+            may_cross(soup, closed.shells, {outer, inner})) {
           within[outer].push_back(inner);
         }
       }
@@ -75,7 +129,7 @@ InsideOut inside_out(const PolygonSoup& soup) {
     return {};
   }
   const ShellEnclosure enclosure(soup, shells, signs);
-  const std::vector<int> depths = depths_of(closed, signs, enclosure);
+  const std::vector<int> depths = depths_of(soup, closed, signs, enclosure);
   std::vector<std::size_t> to_turn;
   InsideOut result;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {

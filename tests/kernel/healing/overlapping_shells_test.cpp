@@ -100,5 +100,14 @@ TEST(OverlappingShells, beams_that_overlap_all_count_whichever_are_inside_out) {
   }
 }
 
+// They could not be divided into others: the one is a cavity at the end of the other.
+TEST(OverlappingShells, of_beams_with_one_end_in_common_the_short_one_is_a_cavity_if_inside_out) {
+  const std::vector<Beam> beams = {{0, 2}, {0, 1}};
+  EXPECT_EQ(repaired_volume(soup_of(beams, 0)), 2);
+  for (const std::uint32_t inside_out : {1U, 2U, 3U}) {
+    EXPECT_EQ(repaired_volume(soup_of(beams, inside_out)), 1);
+  }
+}
+
 }  // namespace
 }  // namespace dupin
