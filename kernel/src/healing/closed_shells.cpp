@@ -96,14 +96,10 @@ class ShellFinder {
       join_by_angles();
     }
     ClosedShells found{mesh::grouped(sets_.representatives()), {}};
-    for (const auto& [a, b] : neighbours_) {
-      const auto [low, high] =
-          std::minmax(found.shells.of_face[a / 3], found.shells.of_face[b / 3]);
-      if (low != high) {
-        found.told_apart.emplace_back(low, high);
-      }
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      add_pairs(edges_[i].half_edges, found);
     }
-    support::sort_unique(found.told_apart);
+    support::sort_unique(found.at_one_edge);
     return found;
   }
 
@@ -325,7 +321,6 @@ class ShellFinder {
         if (lid != end && body != nullptr && has_hole(*body, *begin) &&
             needs_one_of(*h, open, *begin)) {
           pairs.emplace_back(*h, lid->half_edge);
-          neighbours_.emplace_back(begin->half_edge, lid->half_edge);
           body = nullptr;  // one of a round
           ++lid;
         }
@@ -400,11 +395,19 @@ class ShellFinder {
     place_of_set_ = places_of_sets(mesh_.triangles, places_, set_of_face, is_wanted);
   }
 
-  // Half-edges of levels side by side.
-  void note_neighbours(const HalfEdges& around, const std::vector<int>& levels) {
-    for (std::size_t i = 1; i < around.size(); ++i) {
-      if (levels[i - 1] != levels[i]) {
-        neighbours_.emplace_back(around[i - 1], around[i]);
+  static void add_pairs(std::span<const std::uint32_t> half_edges, ClosedShells& found) {
+    constexpr std::size_t kMany = 64;
+    if (half_edges.size() == 2 || half_edges.size() > kMany) {
+      return;
+    }
+    std::vector<std::uint32_t> at_edge;
+    for (const std::uint32_t h : half_edges) {
+      at_edge.push_back(found.shells.of_face[h / 3]);
+    }
+    support::sort_unique(at_edge);
+    for (auto low = at_edge.begin(); low != at_edge.end(); ++low) {
+      for (auto high = low + 1; high != at_edge.end(); ++high) {
+        found.at_one_edge.emplace_back(*low, *high);
       }
     }
   }
@@ -420,7 +423,6 @@ class ShellFinder {
       levels.push_back(begins ? level : level - 1);
       level += begins ? 1 : -1;
     }
-    note_neighbours(around, levels);
     const auto [lowest, highest] = std::ranges::minmax(levels);
     for (int at = lowest; at <= highest; ++at) {
       HalfEdges of_level;
@@ -468,7 +470,6 @@ class ShellFinder {
   CopyRanks copies_;
   std::vector<std::uint32_t> places_;        // of points
   std::vector<std::uint32_t> place_of_set_;  // per face
-  std::vector<Pair> neighbours_;             // half-edges
 };
 
 }  // namespace

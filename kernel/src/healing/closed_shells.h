@@ -14,8 +14,8 @@ using ShellPair = std::pair<std::uint32_t, std::uint32_t>;
 
 struct ClosedShells {
   mesh::Shells shells;
-  /// By angles around an edge of both, or as copies are; the lower one first.
-  std::vector<ShellPair> told_apart;
+  /// The lower one first; but for edges of very many faces.
+  std::vector<ShellPair> at_one_edge;
 };
 
 /// Divides faces that run along each edge as often one way as the other into shells that do, too,
@@ -30,7 +30,7 @@ struct ClosedShells {
 /// level of winding: above the middle level as the surfaces of the wedges that are wound around
 /// more often, below it of those that are less often, and at it likewise by the sign of the volume
 /// of all that hangs together, so that turning everything over changes nothing. What lies on each
-/// other there is in layers, the same at all edges. So what crosses itself along edges becomes
+/// other there is in layers, the same at all edges. So what crosses itself along edges may become
 /// shells of which one is within the other, where others that cross would do as well.
 ///
 /// O(n), and O(n log n) where angles are needed.

@@ -85,16 +85,15 @@ bool may_cross(const PolygonSoup& soup, const mesh::Shells& shells, const ShellP
   const std::span all(std::as_const(soup.triangles));
   const auto a = support::selected(all, shells.faces_of(pair.first)),
              b = support::selected(all, shells.faces_of(pair.second));
-  return is_parted_by(a, b) && is_parted_by(b, a);
+  return is_parted_by(a, b) || is_parted_by(b, a);
 }
 
-// Per shell the number of those around it. Where some of one sign of volume were told apart by
-// angles only, around edges that they share, they might as well be others that cross, and not one
-// within the other: of these the inmost counts alone, and only around what is none of them.
+// Per shell the number of those around it. Where some of one sign of volume might as well be
+// others that cross, of these the inmost counts alone, and only around what is none of them.
 std::vector<int> depths_of(const PolygonSoup& soup, const ClosedShells& closed,
                            std::span<const int> signs, const ShellEnclosure& enclosure) {
-  std::vector<std::vector<std::uint32_t>> within(closed.shells.count);  // told apart, of one sign
-  for (const auto& [a, b] : closed.told_apart) {
+  std::vector<std::vector<std::uint32_t>> within(closed.shells.count);
+  for (const auto& [a, b] : closed.at_one_edge) {
     if (signs[a] == signs[b]) {
       for (const auto& [outer, inner] : {ShellPair(a, b), ShellPair(b, a)}) {
         if (std::ranges::binary_search(enclosure.around(inner), outer) &&

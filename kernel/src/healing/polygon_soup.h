@@ -41,11 +41,11 @@ struct MergedPoints {
                                            std::span<const std::uint8_t> crossing = {});
 
 /// Divides the soup, which is closed, into shells (closed_shells.h), and turns those of negative
-/// volume that an even number of others encloses (shell_enclosure.h; shells of one sign that only
-/// angles told apart are one there), and with them those right inside that face them as the walls
-/// of cavities do, so that a solid that is all inside out keeps its cavities. `is_turned` says of
-/// each triangle whether it is turned. Returns how many shells are left of negative volume, as the
-/// walls of cavities.
+/// volume that an even number of others encloses (shell_enclosure.h; shells of one sign that could
+/// be others that cross are one there), and with them those right inside that face them as the
+/// walls of cavities do, so that a solid that is all inside out keeps its cavities. `is_turned`
+/// says of each triangle whether it is turned. Returns how many shells are left of negative volume,
+/// as the walls of cavities.
 std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned);
 
 }  // namespace dupin::healing
