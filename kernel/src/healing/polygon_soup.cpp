@@ -79,8 +79,8 @@ bool is_parted_by(std::span<const Triangle> shell, std::span<const Triangle> oth
       alone, [&](std::uint32_t i) { return parts.find(i) != parts.find(*alone.begin()); });
 }
 
-// If shells of which one is within the other might as well be two that cross: parts of the one go
-// on as parts of the other, and neither of what results is within the other.
+// If shells of which one is within the other might as well be others that cross: parts of the one
+// go on as parts of the other. Of a single part each, they would be what they are.
 bool may_cross(const PolygonSoup& soup, const mesh::Shells& shells, const ShellPair& pair) {
   const std::span all(std::as_const(soup.triangles));
   const auto a = support::selected(all, shells.faces_of(pair.first)),
