@@ -1,11 +1,14 @@
 #include "dupin/kernel/simplify.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
@@ -15,6 +18,22 @@
 
 namespace dupin::cli {
 namespace {
+
+/// What is wrong there, if anything, is not so in what was read.
+Solid simplified_solid(const TriMesh& mesh) {
+  try {
+    return Solid::from(mesh);
+  } catch (const Error&) {
+    const Report report = check(mesh);
+    const auto fault = std::ranges::find_if(
+        report.findings, [](const Finding& finding) { return is_fatal(finding.defect); });
+    if (fault == report.findings.end()) {
+      throw;
+    }
+    throw Error(Errc::unroundable, "with fewer triangles it would be no solid: of these, " +
+                                       describe(*fault, mesh) + "; a smaller --tolerance may do");
+  }
+}
 
 ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
@@ -29,7 +48,8 @@ ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) 
   const Progress progress = line->callback();
   tell(progress, "read");
   const Simplified simple = simplify(solid_of(input), tolerance, progress);
-  OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, header, {}, progress);
+  OutputReport report =
+      write_solid(simplified_solid(simple.mesh), to, rounding, header, {}, progress);
   line.reset();
   report.simplification = {simple.removed_triangles, simple.deviation};
   print_written(report, to, common);

@@ -26,16 +26,6 @@ struct HalfPlane {
   std::uint32_t half_edge = 0;
 };
 
-// Whether faces around the edge leave and enter the solid in turn.
-bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) {
-  const std::vector<std::uint32_t> around = sorted_around(mesh, edges, edge);
-  const auto same_way = [&](std::uint32_t a, std::uint32_t b) {
-    return edges.origin(a) == edges.origin(b);
-  };
-  return !same_way(around.front(), around.back()) &&
-         std::adjacent_find(around.begin(), around.end(), same_way) == around.end();
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
@@ -62,6 +52,15 @@ std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& 
     half_edges.push_back(h.half_edge);
   }
   return half_edges;
+}
+
+bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) {
+  const std::vector<std::uint32_t> around = sorted_around(mesh, edges, edge);
+  const auto same_way = [&](std::uint32_t a, std::uint32_t b) {
+    return edges.origin(a) == edges.origin(b);
+  };
+  return !same_way(around.front(), around.back()) &&
+         std::adjacent_find(around.begin(), around.end(), same_way) == around.end();
 }
 
 bool in_one_half_plane(const MeshView& mesh, const EdgeTable& edges, const Edge& edge,

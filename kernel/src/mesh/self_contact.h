@@ -25,6 +25,9 @@ struct ContactPlace {
 [[nodiscard]] std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
                                                        const Edge& edge);
 
+/// Whether the faces around the edge bound inside and outside in turn, exactly.
+[[nodiscard]] bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge);
+
 /// Whether the faces of two half-edges along the edge begin in one half-plane, exactly.
 [[nodiscard]] bool in_one_half_plane(const MeshView& mesh, const EdgeTable& edges, const Edge& edge,
                                      std::uint32_t first, std::uint32_t second);

@@ -18,6 +18,7 @@
 #include "dupin/kernel/rounding.h"
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
+#include "rounding/contact_edges.h"
 #include "rounding/edits/edited_mesh.h"
 #include "rounding/shell_sides.h"
 #include "support/sequences.h"
@@ -186,6 +187,7 @@ class Simplification {
         mesh_(rounded.mesh().points, rounded.mesh().triangles, labels_, representatives_),
         witnesses_(rounded.mesh()),
         sides_(witnesses_.shell_of()),
+        contact_edges_(representatives_),
         deviation_(rounded.mesh().triangles.size(), 0) {
     double largest = 0;
     for (const Vec3& point : input_.points) {
@@ -275,6 +277,7 @@ class Simplification {
     }
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
     if (witnesses_.are_within(swept, from) || !sides_.stay(mesh_, from, option.to, swept) ||
+        !contact_edges_.stay(mesh_, from, option.to) ||
         !mesh_.collapse(from, option.to, {rounding::FaultRule::none, kAnywhere})) {
       return false;
     }
@@ -371,6 +374,7 @@ class Simplification {
   EditedMesh mesh_;
   Witnesses witnesses_;
   rounding::ShellSides sides_;
+  rounding::ContactEdges contact_edges_;
   std::vector<double> deviation_;  // of each face from the surface given
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
 };

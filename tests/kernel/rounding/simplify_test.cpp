@@ -123,6 +123,50 @@ TEST(Simplify, passes_over_no_shell) {
   }
 }
 
+// Collapses beside that edge took one sheet through the other there, where no two triangles cross,
+// and made other edges touch.
+TEST(Simplify, keeps_edges_at_which_the_solid_touches_itself) {
+  constexpr double kThird = 1.0 / 3;
+  const Vec3 low(0.5, 1, 0), high(5 * kThird, 10 * kThird, 0);
+  TriMesh mesh;
+  mesh.points = {{0, 1, 0},
+                 {4, 1, 0},
+                 {0, 5, 0},
+                 {0, 1, 1},
+                 {4, 1, 1},
+                 {0, 5, 1},
+                 {2, 3, 1},
+                 low,
+                 {1, 1.5, 1},
+                 low,
+                 high,
+                 high,
+                 {2 * kThird, 1, 2 * kThird},
+                 {5.5 * kThird, 9.5 * kThird, 1},
+                 {2 * kThird, 1, kThird}};
+  mesh.triangles = {{2, 0, 5},   {0, 3, 5},   {12, 4, 3},  {12, 3, 0},  {12, 1, 4},  {12, 0, 7},
+                    {14, 1, 12}, {9, 1, 14},  {0, 2, 10},  {10, 7, 0},  {11, 1, 9},  {4, 6, 8},
+                    {8, 13, 5},  {3, 4, 8},   {8, 5, 3},   {10, 2, 5},  {5, 13, 10}, {1, 6, 4},
+                    {1, 11, 6},  {11, 14, 6}, {14, 11, 9}, {14, 12, 8}, {14, 8, 6},  {8, 7, 10},
+                    {7, 8, 12},  {8, 10, 13}};
+  for (const TriMesh& side :
+       {mesh, test::joined({test::box({-9, -9, -9}, {9, 9, 9}), test::reversed(mesh)})}) {
+    const Solid solid = Solid::from(side);
+    ASSERT_EQ(solid.contacts().size(), 1);
+    for (const double tolerance : {0.9, 1.0, 1.2, 2.0, 5.0}) {
+      SCOPED_TRACE(tolerance);
+      const Simplified result = simplify(solid, tolerance);
+      const Report report = check(result.mesh);
+      EXPECT_TRUE(report.is_solid());
+      EXPECT_EQ(report.count(Defect::contact), 1);
+      EXPECT_GT(result.removed_triangles, 0);
+      const Contact left = Solid::from(result.mesh).contacts().at(0);
+      EXPECT_EQ(left.from, solid.contacts()[0].from);
+      EXPECT_EQ(left.to, solid.contacts()[0].to);
+    }
+  }
+}
+
 TEST(Simplify, ignores_borders_where_there_are_no_labels) {
   TriMesh tube = ringed_tube(24, 16);
   tube.labels.clear();
