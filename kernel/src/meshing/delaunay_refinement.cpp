@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
@@ -22,6 +21,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/solver_mesh.h"
 #include "meshing/edge_lengths.h"
@@ -209,11 +209,10 @@ class Sizes {
     }
     if (watch_->asked > watch_->most) {
       const Vec3 place = watch_->unit * vector_of(point);
-      std::ostringstream text;
-      text << "a mesh with these lengths and distances gets too many points, the last ones near "
-           << place.x() << " " << place.y() << " " << place.z()
-           << "; sharp edges or borders may be too near each other there";
-      throw Error(Errc::limit_exceeded, text.str());
+      throw Error(Errc::limit_exceeded,
+                  "a mesh with these lengths and distances gets too many points, the last ones "
+                  "near " +
+                      decimal(place) + "; sharp edges or borders may be too near each other there");
     }
     return (*size_)(vector_of(point));
   }

@@ -8,13 +8,13 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/none.h"
 
@@ -310,19 +310,19 @@ void EdgeLengths::require_room(std::size_t most, Between between) const {
 }
 
 Error too_near(const Vec3& place, double gap) {
-  std::ostringstream text;
-  text << "sharp edges or borders come within " << gap << " of each other near " << place.x() << " "
-       << place.y() << " " << place.z()
-       << ", and a mesh that keeps them gets too many points; join the patches there";
-  return Error(Errc::limit_exceeded, text.str());
+  return Error(Errc::limit_exceeded,
+               "sharp edges or borders come " +
+                   (gap > 0 ? "within " + decimal(gap, kMessageDigits) + " of each other"
+                            : "nearer to each other than doubles can tell") +
+                   " near " + decimal(place) +
+                   ", and a mesh that keeps them gets too many points; join the patches there");
 }
 
 Error too_short(const Vec3& place, double length) {
-  std::ostringstream text;
-  text << "edges along the curve near " << place.x() << " " << place.y() << " " << place.z()
-       << " are to be no longer than " << length
-       << ", and a mesh gets too many points; allow longer ones or a larger distance";
-  return Error(Errc::limit_exceeded, text.str());
+  return Error(Errc::limit_exceeded,
+               "edges along the curve near " + decimal(place) + " are to be no longer than " +
+                   decimal(length, kMessageDigits) +
+                   ", and a mesh gets too many points; allow longer ones or a larger distance");
 }
 
 Error too_many(std::size_t most) {

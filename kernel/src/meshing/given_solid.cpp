@@ -4,12 +4,12 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/rounding.h"
 #include "mesh/edge_table.h"
 
@@ -140,23 +140,20 @@ std::size_t GivenSolid::most_points_on_curves() const {
 
 std::string GivenSolid::too_far(const std::array<Vec3, 3>& triangle) const {
   const Vec3 place = (triangle[0] + triangle[1] + triangle[2]) / 3;
-  std::ostringstream text;
-  text << "the distance of " << options_.distance << " cannot be kept near " << place.x() << " "
-       << place.y() << " " << place.z() << "; allow more of it, or shorter edges";
-  return text.str();
+  return "the distance of " + decimal(options_.distance, kMessageDigits) + " cannot be kept near " +
+         decimal(place) + "; allow more of it, or shorter edges";
 }
 
 std::string GivenSolid::too_long() const {
-  return "edges cannot be kept as short as " + std::to_string(largest_edge_) +
+  return "edges cannot be kept as short as " + decimal(largest_edge_, kMessageDigits) +
          "; allow longer ones";
 }
 
 std::string GivenSolid::too_thin(const Vec3& place, double thickness) const {
-  std::ostringstream text;
-  text << "sides of the solid that are " << thickness << " apart near " << place.x() << " "
-       << place.y() << " " << place.z() << " cross each other in a mesh within "
-       << options_.distance << " of them; allow a distance below that, or make it thicker there";
-  return text.str();
+  return "sides of the solid that are " + decimal(thickness, kMessageDigits) + " apart near " +
+         decimal(place) + " cross each other in a mesh within " +
+         decimal(options_.distance, kMessageDigits) +
+         " of them; allow a distance below that, or make it thicker there";
 }
 
 std::string GivenSolid::no_mesh() {

@@ -208,6 +208,10 @@ std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) con
   try {
     Rounded again =
         to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(*solid)), coordinates_, options);
+    for (Contact& contact : again.contacts_) {
+      contact.from += before.origin;
+      contact.to += before.origin;
+    }
     again.report_ = one_after_other(before, again.report());
     again.report_.snapped_places.push_back(attempt.place() + before.origin);
     return again;

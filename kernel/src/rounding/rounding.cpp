@@ -82,9 +82,12 @@ class Rounding {
   /// The one that is taken where none is asked for.
   [[nodiscard]] double usual_tolerance() const { return kDefaultTolerance * step_; }
 
-  /// What run() returns, and the shells to warn of.
+  /// What run() returns, with the contacts that are left, and the shells to warn of.
   Rounded run_with_warnings() {
     Rounded result = run();
+    if (!result.contacts_.empty()) {
+      result.contacts_ = contacts_of(result.mesh_, result.report_.origin);
+    }
     RoundingReport& report = result.report_;
     const bool is_repaired = report.repair_reach > 0 || report.removed_triangles > 0 ||
                              !report.filled_places.empty() || !report.snapped_places.empty();
@@ -542,12 +545,11 @@ double Rounding::largest_move(double from_doubles) const {
 Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
   const Eigen::AlignedBox3d box =
       options_.whole ? options_.whole->box : boxes::bounds_of(doubles());
-  const bool is_far = box.sizes().maxCoeff() < rounded_.largest;
   return unroundable_error(
       {.at = at + origin_ + past_.origin,
        .tolerance = tolerance_,
        .coordinates = coordinates_,
-       .is_far = is_far,
+       .is_far = box.sizes().maxCoeff() < rounded_.largest,
        .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
        .is_nothing = is_nothing});
 }

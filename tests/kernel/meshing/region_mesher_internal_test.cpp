@@ -87,7 +87,7 @@ TEST(RegionMesher, says_why_there_is_no_mesh) {
   tube.points = points_along(tube.given.features(), coarse, {1, 1}, 1000);
   RegionWish wish;
   EXPECT_FALSE(mesh_region(tube.regions[0], tube.balls(0), tube.given, wish, {}).has_value());
-  EXPECT_NE(wish.fault.find("the distance of 0.05 cannot be kept near"), std::string::npos)
+  EXPECT_NE(wish.fault.find("the distance of 0.05 cannot be kept near ("), std::string::npos)
       << wish.fault;
 }
 

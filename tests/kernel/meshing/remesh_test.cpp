@@ -187,14 +187,14 @@ TEST(Remesh, names_the_place_where_curves_ask_for_too_many_points) {
       unite(std::vector{Solid::from(labelled(mesh, "a")),
                         Solid::from(labelled(box(Vec3(0, 0, 1), Vec3(1, 1, 1 + 0x1p-28)), "b"))});
   expect_refused(strip, {.distance = 0x1p-31, .largest_edge = 0.5, .most_points = 5000},
-                 Errc::limit_exceeded, {"come within 3.72529e-09 of each other near "});
+                 Errc::limit_exceeded, {"come within 3.72529e-09 of each other near ("});
 }
 
 // Without trying for minutes, and with the reason.
 TEST(Remesh, says_that_sides_are_nearer_than_the_distance_tells_apart) {
   const Solid sheet = Solid::from(box(Vec3::Zero(), Vec3(100, 100, 0.001)));
   expect_refused(sheet, {.distance = 0.5}, Errc::unroundable,
-                 {"sides of the solid that are 0.001 apart near ", "allow a distance below that"});
+                 {"sides of the solid that are 0.001 apart near (", "allow a distance below that"});
   expect_refused(sheet, {.distance = 0.001}, Errc::limit_exceeded,
                  {"come within 0.001 of each other near "});
 }

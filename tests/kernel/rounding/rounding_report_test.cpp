@@ -39,5 +39,31 @@ TEST(RoundingReportOfSolids, tells_contacts) {
   expect_as_checked(solid);
 }
 
+// A tetrahedron at the corner of a box, smaller than the numbers tell.
+TEST(RoundingReportOfSolids, tells_no_contact_of_what_rounding_has_removed) {
+  const Solid solid =
+      united({test::box({0, 0, 0}, {1, 1, 1}), test::tetrahedron({1, 1, 1}, 0x1p-30),
+              test::box({-1, -1, 0}, {0, 0, 0.1})});
+  ASSERT_EQ(solid.contacts().size(), 2);
+  EXPECT_EQ(to_mesh(solid).contacts().size(), 2);
+  const Rounded rounded = to_mesh(solid, Coordinates::binary32);
+  EXPECT_EQ(rounded.report().removed_shells, 1);
+  ASSERT_EQ(rounded.contacts().size(), 1);
+  EXPECT_EQ(check(rounded).count(Defect::contact), 1);
+  EXPECT_EQ(rounded.contacts()[0].kind, Contact::Kind::edge);
+  EXPECT_EQ(rounded.contacts()[0].to, Vec3(0, 0, 0.1F));
+}
+
+TEST(RoundingReportOfSolids, tells_contacts_in_their_own_place) {
+  const Vec3 far(0x1p30, 0x1p30, 0x1p30);
+  const Solid solid = united({test::moved(test::box({0, 0, 0}, {1, 1, 1}), far),
+                              test::moved(test::box({1, 1, 0}, {2, 2, 1}), far)});
+  const Rounded rounded =
+      to_mesh(solid, Coordinates::binary32, {.origin = {Origin::Choice::automatic}});
+  ASSERT_EQ(rounded.contacts().size(), 1);
+  EXPECT_EQ(rounded.contacts()[0].from, far + Vec3(1, 1, 0));
+  EXPECT_EQ(rounded.contacts()[0].to, far + Vec3(1, 1, 1));
+}
+
 }  // namespace
 }  // namespace dupin

@@ -103,8 +103,9 @@ class Rounded {
   [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
   /// One per triangle, as in the solid.
   [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-  /// Those of the solid that filled voids have not ended, and those that rounding has made. Points
-  /// of the mesh are in the same place at contacts only.
+  /// Where this mesh touches itself, by its own numbers with the origin added: contacts of the solid
+  /// may have ended, and rounding may have made others. Points of the mesh are in the same place at
+  /// contacts only.
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
   [[nodiscard]] const RoundingReport& report() const { return report_; }
 
