@@ -49,7 +49,7 @@ TEST(GivenSolid, reports_the_smallest_angles_with_their_places) {
   EXPECT_EQ(report.poor_between_edges, 0U);
   EXPECT_GE(report.longest_edge, 5);
   EXPECT_THAT(given.too_far({Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0)}),
-              testing::HasSubstr("near 1 0 0"));
+              testing::HasSubstr("near (1, 0, 0)"));
 }
 
 TEST(GivenSolid, tells_angles_that_edges_leave_no_choice) {
