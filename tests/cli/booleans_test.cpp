@@ -103,6 +103,16 @@ TEST_F(MeshCommands, stl_is_refused_for_contacts_that_its_readers_would_weld) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off"));
 }
 
+// The numbers of STL do not tell it from the corner that it touches.
+TEST_F(MeshCommands, contacts_of_what_rounding_removes_are_not_told) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("b.off", tetrahedron({1, 1, 1}, 0x1p-30));
+  EXPECT_EQ(json({"union", "a.off", "b.off", "-o", "c.off"}, 0).at("contacts").size(), 1);
+  const auto report = json({"union", "a.off", "b.off", "-o", "c.stl", "--contacts", "report"}, 0);
+  EXPECT_TRUE(report.at("contacts").empty());
+  EXPECT_EQ(report.at("rounding").at("removed_shells"), 1);
+}
+
 TEST_F(MeshCommands, stl_is_parted_at_contacts_by_what_its_numbers_can_hold) {
   const Vec3 far(1234567.25, 345678.125, 98765.5);  // where binary32 has a spacing of 0.125
   put("a.off", box(far, far + Vec3(100, 100, 100)));

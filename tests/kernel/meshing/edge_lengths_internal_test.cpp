@@ -48,5 +48,14 @@ TEST(EdgeLengths, leave_room_to_faces_that_are_not_at_the_curve) {
   EXPECT_EQ(lengths.at(Vec3(5, 5, 10)), 2) << "at no curve";
 }
 
+TEST(EdgeLengths, are_refused_with_a_distance_that_is_not_0) {
+  const Vec3 place(2.1, 1.4, 2.1);
+  EXPECT_NE(
+      too_near(place, 0x1p-53).message().find("within 1.11022e-16 of each other near (2.1, 1.4"),
+      std::string::npos);
+  EXPECT_NE(too_near(place, 0).message().find("than doubles can tell near (2.1, 1.4, 2.1)"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace dupin::meshing
