@@ -58,8 +58,9 @@ struct RoundingReport {
   Vec3 origin = Vec3::Zero();  ///< was subtracted from all coordinates
   std::size_t moved = 0;       ///< vertices of the solid that are not written where they were
   /// An upper bound, in model units, of how far a vertex moved plus how far flipped edges moved the
-  /// surface plus how far from the solid slits were filled. At most the tolerance plus half
-  /// the distance of neighbouring numbers per coordinate.
+  /// surface plus how far from the solid slits were filled. Each of the first two has the tolerance
+  /// for itself: at most twice the tolerance plus half the distance of neighbouring numbers per
+  /// coordinate.
   double largest_move = 0;
   double repair_reach = 0;  ///< the part of the tolerance that was needed; 0 without repair
   std::size_t removed_triangles = 0;
@@ -103,9 +104,9 @@ class Rounded {
   [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
   /// One per triangle, as in the solid.
   [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-  /// Where this mesh touches itself, by its own numbers with the origin added: contacts of the solid
-  /// may have ended, and rounding may have made others. Points of the mesh are in the same place at
-  /// contacts only.
+  /// Where this mesh touches itself, by its own numbers with the origin added: contacts of the
+  /// solid may have ended, and rounding may have made others. Points of the mesh are in the same
+  /// place at contacts only.
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
   [[nodiscard]] const RoundingReport& report() const { return report_; }
 

@@ -22,10 +22,10 @@ struct Simplified {
 /// self-intersection by exact predicates, with binary64 coordinates. Points vanish by the collapse
 /// of edges, the least harmful first; those that stay keep their place. There is a one-to-one map
 /// between both surfaces that moves no point further than `tolerance` (model units). Borders
-/// between labels keep their course exactly, contacts theirs, and none are added. No face passes over another
-/// shell, however small: of each, one point stays, and so does what it is beside. About 20
-/// microseconds per removed triangle. Throws Error{invalid_argument} unless the tolerance is
-/// positive and finite, Error{unroundable} as `to_mesh`. Tells the stage "simplify".
+/// between labels keep their course exactly, contacts theirs, and none are added. No face passes
+/// over another shell, however small: of each, one point stays, and so does what it is beside.
+/// About 20 microseconds per removed triangle. Throws Error{invalid_argument} unless the tolerance
+/// is positive and finite, Error{unroundable} as `to_mesh`. Tells the stage "simplify".
 [[nodiscard]] Simplified simplify(const Solid& solid, double tolerance,
                                   const Progress& progress = {});
 
