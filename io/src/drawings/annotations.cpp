@@ -20,7 +20,6 @@ using Eigen::Vector2d;
 using Box = Eigen::AlignedBox2d;
 
 constexpr double kLineHeight = 1.5 * kTextHeight;
-constexpr double kSquare = 10;  // of paper, in millimetres
 
 // Letters of most fonts are no wider on average.
 double width_of(const std::string& text) {
@@ -61,12 +60,36 @@ std::vector<std::string> note_of(const Drawing& drawing, const DrawnPart& part,
   return lines;
 }
 
+bool is_outline(Pen pen) { return pen == Pen::contour || pen == Pen::edge || pen == Pen::hidden; }
+
+// Of the solid alone, or with all that is drawn beside it.
+Box bounds_of(const PaperSheet& sheet, bool with_others) {
+  Box box;
+  for (const PaperLine& line : sheet.lines) {
+    if (with_others || is_outline(line.pen)) {
+      for (const Vector2d& point : line.points) {
+        box.extend(point);
+      }
+    }
+  }
+  return box;
+}
+
 Box around(const Vector2d& a, const Vector2d& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+// In millimetres, of which a line has not too many.
+double square_for(const PaperSheet& sheet) {
+  constexpr double kSquare = 10, kMostOfLine = 256;
+  const Box box = bounds_of(sheet, true);
+  return box.isEmpty() ? kSquare : std::max(kSquare, box.sizes().maxCoeff() / kMostOfLine);
+}
 
 // Things on paper by the squares that they reach into.
 template <class What>
 class PaperGrid {
  public:
+  explicit PaperGrid(double square) : square_(square) {}
+
   void insert(const Box& box, const What& what) {
     for_each_square(box, [&](const Square& square) { squares_[square].push_back(what); });
   }
@@ -89,9 +112,9 @@ class PaperGrid {
   using Square = std::array<double, 2>;  // whole numbers
 
   template <class Visit>
-  static void for_each_square(const Box& box, const Visit& visit) {
-    const Eigen::Array2d low = (box.min() / kSquare).array().floor(),
-                         high = (box.max() / kSquare).array().floor();
+  void for_each_square(const Box& box, const Visit& visit) const {
+    const Eigen::Array2d low = (box.min() / square_).array().floor(),
+                         high = (box.max() / square_).array().floor();
     for (double x = low[0]; x <= high[0]; ++x) {
       for (double y = low[1]; y <= high[1]; ++y) {
         visit({x, y});
@@ -99,12 +122,14 @@ class PaperGrid {
     }
   }
 
+  double square_;
   std::map<Square, std::vector<What>> squares_;
 };
 
 class NotePlacer {
  public:
-  explicit NotePlacer(PaperSheet& sheet) : sheet_(sheet) {
+  explicit NotePlacer(PaperSheet& sheet)
+      : sheet_(sheet), square_(square_for(sheet)), placed_boxes_(square_), lines_(square_) {
     for (std::size_t i = 0; i < sheet_.lines.size(); ++i) {
       add_line(i);
     }
@@ -147,7 +172,7 @@ class NotePlacer {
     const auto& points = sheet_.lines[line].points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const Vector2d way = points[i + 1] - points[i];
-      const double pieces = std::max(1.0, std::ceil(way.cwiseAbs().minCoeff() / kSquare));
+      const double pieces = std::max(1.0, std::ceil(way.cwiseAbs().minCoeff() / square_));
       for (double k = 0; k < pieces; ++k) {
         lines_.insert(around(points[i] + k / pieces * way, points[i] + (k + 1) / pieces * way),
                       {line, i});
@@ -199,25 +224,11 @@ class NotePlacer {
   }
 
   PaperSheet& sheet_;
+  double square_;
   std::vector<Box> placed_;
   PaperGrid<std::size_t> placed_boxes_;
   PaperGrid<Stretch> lines_;
 };
-
-bool is_outline(Pen pen) { return pen == Pen::contour || pen == Pen::edge || pen == Pen::hidden; }
-
-// Of the solid alone, or with all that is drawn beside it.
-Box bounds_of(const PaperSheet& sheet, bool with_others) {
-  Box box;
-  for (const PaperLine& line : sheet.lines) {
-    if (with_others || is_outline(line.pen)) {
-      for (const Vector2d& point : line.points) {
-        box.extend(point);
-      }
-    }
-  }
-  return box;
-}
 
 // Between two places, with arrows pointing outwards at both.
 void add_dimension(PaperSheet& sheet, const Vector2d& from, const Vector2d& to,
