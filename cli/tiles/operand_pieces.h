@@ -24,7 +24,7 @@ struct OperandStretch {
 /// Operands in districts, and of large ones in pieces, which are joined again where operands were
 /// cut.
 struct OperandPieces {
-  std::vector<std::vector<OperandStretch>> stretches;  ///< per district, ascending
+  std::vector<std::vector<OperandStretch>> stretches;  ///< per district, in its order
   std::vector<Boxes> boxes;                            ///< likewise
   /// Likewise, of the operands: as if these had them everywhere along their axes.
   std::vector<double> triangles;

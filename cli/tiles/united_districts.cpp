@@ -380,7 +380,6 @@ OperandDistricts operand_districts(std::span<const Eigen::AlignedBox3d> boxes,
       result.operands.front().push_back(i);
     }
   }
-  std::ranges::sort(result.operands.front());
   return result;
 }
 

@@ -28,7 +28,7 @@ struct OperandDistricts {
   std::vector<Boxes> boxes;                        ///< likewise
 };
 
-/// At least one district; operands without triangles are in the first.
+/// At least one district; operands without triangles, which have no boxes, come last in the first.
 [[nodiscard]] OperandDistricts operand_districts(std::span<const Eigen::AlignedBox3d> boxes,
                                                  const DistrictMargin& margin);
 

@@ -1,6 +1,7 @@
 #include "tiles/operand_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -59,7 +60,10 @@ TEST(OperandPieces, have_all_of_every_operand_between_them) {
   std::vector<double> length(grid.boxes.size());
   std::multiset<std::string> begins, ends;
   for (std::size_t i = 0; i < made.stretches.size(); ++i) {
-    EXPECT_TRUE(std::ranges::is_sorted(made.stretches[i], {}, &OperandStretch::operand));
+    EXPECT_TRUE(std::ranges::is_sorted(made.stretches[i], {}, [&](const OperandStretch& stretch) {
+      const Vec3& low = grid.boxes[stretch.operand].min();
+      return std::array{low.x(), low.y(), low.z()};
+    }));
     EXPECT_EQ(made.stretches[i].size(), made.boxes[i].size());
     for (const OperandStretch& stretch : made.stretches[i]) {
       const Eigen::AlignedBox3d& box = grid.boxes[stretch.operand];

@@ -27,9 +27,11 @@ Eigen::AlignedBox3d cube(double x, double size = 1) {
 TEST(OperandDistricts, are_what_boxes_reach) {
   const Boxes boxes{cube(0), cube(10), cube(1.5), {}, cube(11.5)};
   EXPECT_THAT(operand_districts(boxes, {}).operands,
-              ElementsAre(ElementsAre(0, 3), ElementsAre(1), ElementsAre(2), ElementsAre(4)));
+              ElementsAre(ElementsAre(0, 3), ElementsAre(2), ElementsAre(1), ElementsAre(4)));
   EXPECT_THAT(operand_districts(boxes, {0.25, 0}).operands,
               ElementsAre(ElementsAre(0, 2, 3), ElementsAre(1, 4)));
+  EXPECT_THAT(operand_districts(Boxes(boxes.rbegin(), boxes.rend()), {0.25, 0}).operands,
+              ElementsAre(ElementsAre(4, 2, 1), ElementsAre(3, 0)));
   EXPECT_THAT(operand_districts(boxes, {0, 0.25 / 12.5}).operands,
               ElementsAre(ElementsAre(0, 2, 3), ElementsAre(1, 4)));
 }
