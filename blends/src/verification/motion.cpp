@@ -446,13 +446,11 @@ class Steering {
   explicit Steering(const CyclidePiece& piece) {
     const ExactPoint first = exact(piece.first), last = exact(piece.last), t = exact(piece.tangent);
     ExactPoint d;
-    mpq_class squared;
     for (std::size_t k = 0; k < 4; ++k) {
       d[k] = last[k] - first[k];
-      squared += (k < 3 ? 1 : -1) * d[k] * d[k];
     }
-    const mpq_class chord = piece.chord;
-    rate_ = enclosed(2 * squared * squared / (chord * chord * chord));
+    const mpq_class weight = exact_arc(piece).weight[2];  // <D, D> / chord^2
+    rate_ = enclosed(2 * weight * weight * piece.chord);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       across_[k] = enclosed(t[i] * d[j] - t[j] * d[i]);

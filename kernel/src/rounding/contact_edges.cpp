@@ -109,6 +109,9 @@ ContactEdges::ContactEdges(std::span<const std::uint32_t> representatives)
 }
 
 bool ContactEdges::stay(const EditedMesh& mesh, std::uint32_t from, std::uint32_t to) const {
+  if (at_place_.empty()) {
+    return true;  // of most solids, whose stars need not be looked at
+  }
   const Surroundings around(*this, mesh, from);
   if (around.are_plain()) {
     return true;
