@@ -86,10 +86,8 @@ struct CenteredSeries {
         above += factor * (is_even ? std::max(0.0, own.upper) : own.magnitude());
       }
       const auto enlarged = [](double sum) { return sum + sum * kRounding + kUnderflow; };
-      const numbers::Interval sum =
-          middle.at[k] + numbers::Interval(-enlarged(below), enlarged(above));
-      numbers::Interval& own = all.at[k];
-      own = {std::max(sum.lower, own.lower), std::min(sum.upper, own.upper)};
+      all.at[k] = numbers::intersection(
+          middle.at[k] + numbers::Interval(-enlarged(below), enlarged(above)), all.at[k]);
     }
   }
 };

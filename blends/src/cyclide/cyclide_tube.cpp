@@ -27,10 +27,7 @@ Interval bend(const ArcConstants& arc, double from, double to) {
 // (1 + tau^2), where kappa + |A x k| never changes its sign: (A x k)^2 - kappa^2 = kk (1 + tau^2)
 // vanishes nowhere, or everywhere. So kappa R is largest at an end or where tau = 0.
 Interval largest_bend(const ArcConstants& arc, double from, double to) {
-  const Interval ends = [&] {
-    const Interval a = bend(arc, from, from), b = bend(arc, to, to);
-    return Interval(std::max(a.lower, b.lower), std::max(a.upper, b.upper));
-  }();
+  const Interval ends = max(bend(arc, from, from), bend(arc, to, to));
   const Interval tau = cyclide::stretch(arc, from, to).tau;
   if (tau.lower >= 0 || tau.upper <= 0) {
     return ends;
@@ -41,8 +38,7 @@ Interval largest_bend(const ArcConstants& arc, double from, double to) {
   if (to - from < std::ldexp(1.0, -20) || upper <= ends.upper + std::ldexp(1.0, -40)) {
     return {ends.lower, std::max(ends.upper, upper)};
   }
-  const Interval a = largest_bend(arc, from, middle), b = largest_bend(arc, middle, to);
-  return {std::max(a.lower, b.lower), std::max(a.upper, b.upper)};
+  return max(largest_bend(arc, from, middle), largest_bend(arc, middle, to));
 }
 
 // Between the planes of the outer and the inner disc at an end, signed: positive where the inner
@@ -136,9 +132,7 @@ Enclosure margin(const PeArc& arc) {
     const Interval here =
         largest_bend(constants, cyclide::parameter_at(arc, static_cast<double>(i) / kCells),
                      cyclide::parameter_at(arc, (i + 1.0) / kCells));
-    largest =
-        i == 0 ? here
-               : Interval(std::max(largest.lower, here.lower), std::max(largest.upper, here.upper));
+    largest = i == 0 ? here : max(largest, here);
   }
   const Interval result = Interval(1) - largest;
   return {result.lower, result.upper};

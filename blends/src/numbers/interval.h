@@ -8,8 +8,6 @@
 #include <limits>
 #include <numeric>
 
-#include <gmpxx.h>
-
 #include "dupin/kernel/vec.h"
 
 // The numbers that geometry is decided with, from the cheapest to the dearest: intervals of doubles
@@ -75,6 +73,11 @@ inline Interval outward(double low, double high) { return {next_below(low), next
 
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+/// What both hold, of two that hold the same number; the whole line if there is none.
+inline Interval intersection(const Interval& a, const Interval& b) {
+  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
 }
 
 inline Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
@@ -147,23 +150,6 @@ inline Interval sqrt(const Interval& a) {
   return {std::max(root.lower, 0.0), root.upper};
 }
 
-/// n 2^exponent / d for n >= 0, d > 0.
-[[nodiscard]] inline Interval quotient(const mpz_class& n, const mpz_class& d, long exponent = 0) {
-  if (sgn(n) == 0) {
-    return {0, 0};
-  }
-  // mpz_get_d_2exp truncates to a fraction in [1/2, 1): the number lies in [x, next_above(x)] 2^e.
-  long n_exponent = 0, d_exponent = 0;
-  const double x = mpz_get_d_2exp(&n_exponent, n.get_mpz_t());
-  const double y = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
-  const int e = static_cast<int>(n_exponent - d_exponent + exponent);
-  // Among the subnormals, ldexp rounds once more.
-  const Interval result{std::ldexp(next_below(x / next_above(y)), e),
-                        std::ldexp(next_above(next_above(x) / y), e)};
-  return result.lower < std::numeric_limits<double>::min() ? outward(result.lower, result.upper)
-                                                           : result;
-}
-
 using IntervalVec = std::array<Interval, 3>;
 
 inline IntervalVec interval_vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -182,6 +168,10 @@ inline IntervalVec operator-(const IntervalVec& a, const IntervalVec& b) {
 
 inline IntervalVec operator*(const Interval& s, const IntervalVec& v) {
   return {s * v[0], s * v[1], s * v[2]};
+}
+
+inline IntervalVec intersection(const IntervalVec& a, const IntervalVec& b) {
+  return {intersection(a[0], b[0]), intersection(a[1], b[1]), intersection(a[2], b[2])};
 }
 
 inline Interval dot(const IntervalVec& a, const IntervalVec& b) {

@@ -1,6 +1,8 @@
 #include "numbers/polynomial.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dupin::numbers {
@@ -162,6 +164,22 @@ Bernstein binomial_scaled(const Bernstein& b) {
     scaled[i] = b[i] * binomial(b.size() - 1, i);
   }
   return scaled;
+}
+
+Interval quotient(const mpz_class& n, const mpz_class& d, long exponent) {
+  if (sgn(n) == 0) {
+    return {0, 0};
+  }
+  // mpz_get_d_2exp truncates to a fraction in [1/2, 1): the number lies in [x, next_above(x)] 2^e.
+  long n_exponent = 0, d_exponent = 0;
+  const double x = mpz_get_d_2exp(&n_exponent, n.get_mpz_t());
+  const double y = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
+  const int e = static_cast<int>(n_exponent - d_exponent + exponent);
+  // Among the subnormals, ldexp rounds once more.
+  const Interval result{std::ldexp(next_below(x / next_above(y)), e),
+                        std::ldexp(next_above(next_above(x) / y), e)};
+  return result.lower < std::numeric_limits<double>::min() ? outward(result.lower, result.upper)
+                                                           : result;
 }
 
 }  // namespace dupin::numbers

@@ -7,6 +7,7 @@
 #include <gmpxx.h>
 
 #include "numbers/exact_vec3.h"
+#include "numbers/interval.h"
 
 namespace dupin::numbers {
 
@@ -51,6 +52,9 @@ struct OverDenominator {
 [[nodiscard]] Bernstein binomial_scaled(const Bernstein& b);
 
 [[nodiscard]] mpz_class binomial(std::size_t n, std::size_t k);
+
+/// n 2^exponent / d for n >= 0, d > 0.
+[[nodiscard]] Interval quotient(const mpz_class& n, const mpz_class& d, long exponent = 0);
 
 template <class T>
 std::vector<T> power_basis(const std::vector<T>& bernstein) {

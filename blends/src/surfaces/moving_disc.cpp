@@ -53,15 +53,6 @@ numbers::IntervalVec axis_of(const numbers::Quaternion<numbers::Interval>& a,
   return {n[1], n[2], n[3]};
 }
 
-// What both hold.
-numbers::IntervalVec common(const numbers::IntervalVec& a, const numbers::IntervalVec& b) {
-  numbers::IntervalVec result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = {std::max(a[k].lower, b[k].lower), std::min(a[k].upper, b[k].upper)};
-  }
-  return result;
-}
-
 }  // namespace
 
 // Circles about c = m - r s n across n, of radius r sqrt(1 - s^2), for spheres (m; r) = p / w, with
@@ -105,15 +96,15 @@ std::optional<MovingDisc> moving_disc(const CyclidePiece& piece, const numbers::
   const numbers::IntervalVec normal = numbers::Interval(1) / v * m1;
   const numbers::Interval rate = numbers::Interval(4) * half * last / (w[0] * square(w[0]) * v2);
   const numbers::IntervalVec turning =
-      common(numbers::Interval(1) / v * (m2 - numbers::dot(normal, m2) * normal),
-             rate * numbers::cross(numbers::cross(tangent, d), normal));
+      numbers::intersection(numbers::Interval(1) / v * (m2 - numbers::dot(normal, m2) * normal),
+                            rate * numbers::cross(numbers::cross(tangent, d), normal));
   const numbers::Interval bend =
       rate * numbers::dot(normal, dr * tangent - numbers::Interval(piece.tangent.r) * d);
   const numbers::Interval advance = v * (numbers::Interval(1) - square(slope)) - r * bend;
-  return MovingDisc{
-      base + (m - set_back * normal), normal,
-      common((numbers::Interval(1) - q1) * m1 - q * m2, advance * normal - set_back * turning),
-      turning, r * numbers::sqrt(v2 - square(r1)) / v};
+  return MovingDisc{base + (m - set_back * normal), normal,
+                    numbers::intersection((numbers::Interval(1) - q1) * m1 - q * m2,
+                                          advance * normal - set_back * turning),
+                    turning, r * numbers::sqrt(v2 - square(r1)) / v};
 }
 
 std::optional<MovingDisc> moving_disc(const RationalRingedSurface& surface,

@@ -185,8 +185,7 @@ SweptDiscTube::Part SweptDiscTube::curve(const ParameterInterval& t) const {
 numbers::Interval SweptDiscTube::radius(const ParameterInterval& t) const {
   numbers::Interval result = range(radii_.front(), t);
   for (const RadiusLaw& law : radii_) {
-    const numbers::Interval here = range(law, t);
-    result = {std::max(result.lower, here.lower), std::max(result.upper, here.upper)};
+    result = max(result, range(law, t));
   }
   return result;
 }

@@ -110,10 +110,7 @@ class Enclosures {
   template <std::size_t count>
   [[nodiscard]] Interval enclosed(const Jet<count>& at, const Jet<count>& all,
                                   std::size_t order) const {
-    return met(at[order] + reach_ * all[order + 1], all[order]);
-  }
-  static Interval met(const Interval& a, const Interval& b) {
-    return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+    return intersection(at[order] + reach_ * all[order + 1], all[order]);
   }
   template <std::size_t count>
   [[nodiscard]] IntervalVec enclosed(const JetVec<count>& at, const JetVec<count>& all,

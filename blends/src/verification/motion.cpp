@@ -465,7 +465,8 @@ class Steering {
     const Jet<2> speed = squared_norm(m1), v = sqrt(speed);
     const Jet<2> rate = constant<2>(rate_) / (w * square(w) * speed);
     JetVec<2> normal = shortened<2>(disc.normal);
-    set(normal, 1, common(part(normal, 1), rate[0] * numbers::cross(across_, part(normal, 0))));
+    set(normal, 1,
+        intersection(part(normal, 1), rate[0] * numbers::cross(across_, part(normal, 0))));
     const Jet<2> bend = rate * dot(normal, bend_);
     const Jet<2> slope{{sphere.radius[1] / v[0], bend[0]}}, set_back = r * slope;
     const JetVec<2> turning =
@@ -475,21 +476,13 @@ class Steering {
     const Jet<2> advance = v * (constant<2>(1) - square(slope)) - r * bend;
     const JetVec<2> velocity = advance * normal - set_back * turning;
     for (const std::size_t order : {0U, 1U}) {
-      set(disc.normal, order + 1, common(part(disc.normal, order + 1), part(turning, order)));
-      set(disc.center, order + 1, common(part(disc.center, order + 1), part(velocity, order)));
+      set(disc.normal, order + 1, intersection(part(disc.normal, order + 1), part(turning, order)));
+      set(disc.center, order + 1,
+          intersection(part(disc.center, order + 1), part(velocity, order)));
     }
   }
 
  private:
-  // What both hold.
-  static IntervalVec common(const IntervalVec& a, const IntervalVec& b) {
-    IntervalVec result;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result[k] = {std::max(a[k].lower, b[k].lower), std::min(a[k].upper, b[k].upper)};
-    }
-    return result;
-  }
-
   template <std::size_t count>
   static void set(JetVec<count>& v, std::size_t order, const IntervalVec& to) {
     for (std::size_t k = 0; k < 3; ++k) {

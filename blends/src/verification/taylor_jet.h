@@ -28,8 +28,7 @@ template <std::size_t count, std::size_t more>
   static_assert(count < more);
   Jet<count> result;
   for (std::size_t k = 0; k < count; ++k) {
-    const Interval sum = taylor_sum(middle, all, reach, k);
-    result[k] = {std::max(sum.lower, all[k].lower), std::min(sum.upper, all[k].upper)};
+    result[k] = intersection(taylor_sum(middle, all, reach, k), all[k]);
   }
   return result;
 }

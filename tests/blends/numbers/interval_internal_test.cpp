@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "numbers/interval.h"
+#include "numbers/polynomial.h"
 
 namespace dupin::numbers {
 namespace {
