@@ -9,6 +9,7 @@
 #include "dupin/kernel/error.h"
 #include "tessellation/plane_segments.h"
 #include "tessellation/refined_region.h"
+#include "tessellation/shortest_way.h"
 
 namespace dupin::tessellation {
 namespace {
@@ -155,22 +156,24 @@ void FaceStrip::for_each_side(const UnrolledCurve& curve, double x, const Visit&
 }
 
 bool FaceStrip::is_crossed(const Vec2& from, const Vec2& to) const {
-  bool crossed = false;
   const Vec2 origin(0, from.y()), end(to.x() - from.x(), to.y());
-  const auto visit = [&](const Vec2& a, const Vec2& b) {
-    const auto is_end = [&](const Vec2& p) {
-      return (p - origin).cwiseAbs().maxCoeff() < kNear || (p - end).cwiseAbs().maxCoeff() < kNear;
-    };
-    const bool is_opposite = std::abs(b.x() - a.x()) > around_ / 2;
-    crossed = crossed ||
-              (!is_opposite && !is_end(a) && !is_end(b) && cross_each_other(origin, end, a, b));
+  const auto is_end = [&](const Vec2& p) {
+    return (p - origin).cwiseAbs().maxCoeff() < kNear || (p - end).cwiseAbs().maxCoeff() < kNear;
   };
-  for_each_side(lower_, from.x(), visit);
-  for_each_side(upper_, from.x(), visit);
-  for (const UnrolledCurve* hole : holes_) {
-    for_each_side(*hole, from.x(), visit);
-  }
-  return crossed;
+  const auto [low, high] = std::minmax({from.y(), to.y()});
+  const auto is_crossed_by = [&, low = low, high = high](const UnrolledCurve& curve) {
+    bool crossed = false;
+    if (curve.low <= high && low <= curve.high) {
+      for_each_side(curve, from.x(), [&](const Vec2& a, const Vec2& b) {
+        const bool is_opposite = std::abs(b.x() - a.x()) > around_ / 2;
+        crossed = crossed ||
+                  (!is_opposite && !is_end(a) && !is_end(b) && cross_each_other(origin, end, a, b));
+      });
+    }
+    return crossed;
+  };
+  return is_crossed_by(lower_) || is_crossed_by(upper_) ||
+         std::ranges::any_of(holes_, [&](const auto* hole) { return is_crossed_by(*hole); });
 }
 
 // How far, around, the nearest corner of a hole is, if less than this.
@@ -249,46 +252,20 @@ std::optional<FaceStrip::Step> FaceStrip::shortest_step(const UnrolledCurve& fro
   return is_crossed(at, at + step.along) ? std::nullopt : std::optional(step);
 }
 
-// By E. W. Dijkstra (1959): the curves from the first to the second, by the lengths of steps.
-std::vector<std::size_t> FaceStrip::way_through(
-    const std::vector<const UnrolledCurve*>& curves) const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<double> length(curves.size(), kFar);
-  std::vector<std::size_t> before(curves.size(), 0);
-  std::vector<bool> is_done(curves.size(), false);
-  length[0] = 0;
-  for (std::size_t round = 0; round < curves.size(); ++round) {
-    std::size_t at = curves.size();
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      at = !is_done[i] && (at == curves.size() || length[i] < length[at]) ? i : at;
-    }
-    if (length[at] == kFar || at == 1) {
-      break;
-    }
-    is_done[at] = true;
-    for (std::size_t i = 1; i < curves.size(); ++i) {
-      const auto step =
-          is_done[i] ? std::nullopt : shortest_step(*curves[at], *curves[i], std::nullopt);
-      if (step && length[at] + step->along.norm() < length[i]) {
-        length[i] = length[at] + step->along.norm();
-        before[i] = at;
-      }
-    }
-  }
-  std::vector<std::size_t> way;
-  for (std::size_t i = 1; length[1] < kFar && i != 0; i = before[i]) {
-    way.push_back(i);
-  }
-  std::ranges::reverse(way);
-  return way;
-}
-
 bool FaceStrip::find_cut_through_holes() {
   std::vector<const UnrolledCurve*> curves{&lower_, &upper_};
   curves.insert(curves.end(), holes_.begin(), holes_.end());
+  std::vector<HeightRange> heights;
+  for (const UnrolledCurve* curve : curves) {
+    heights.push_back({curve->low, curve->high});
+  }
   const UnrolledCurve* at = &lower_;
   std::optional<std::size_t> in;  // where it was come to
-  for (const std::size_t next : way_through(curves)) {
+  const auto way = shortest_way(heights, [&](std::size_t from, std::size_t to) {
+    const auto step = shortest_step(*curves[from], *curves[to], std::nullopt);
+    return step ? std::optional(step->along.norm()) : std::nullopt;
+  });
+  for (const std::size_t next : way) {
     const auto step = shortest_step(*at, *curves[next], in);
     if (!step) {
       return false;

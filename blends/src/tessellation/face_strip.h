@@ -57,8 +57,6 @@ class FaceStrip {
   void find_cut();
   [[nodiscard]] bool find_straight_cut();
   [[nodiscard]] bool find_cut_through_holes();
-  [[nodiscard]] std::vector<std::size_t> way_through(
-      const std::vector<const UnrolledCurve*>& curves) const;
   [[nodiscard]] std::optional<Step> shortest_step(const UnrolledCurve& from,
                                                   const UnrolledCurve& to,
                                                   std::optional<std::size_t> not_from) const;
