@@ -51,33 +51,31 @@ void include_steady(BandBounds& bounds, const MovingDisc& disc, const Jet<2>& pa
   bounds.turning = std::max(bounds.turning, turn.upper);
 }
 
-bool include(BandBounds& bounds, const Motion& motion, Measure measure, double from, double to) {
-  const auto disc = motion(from, to);
-  if (!disc) {
-    return false;
-  }
+void include(BandBounds& bounds, const MovingDisc& disc, Measure measure, const Interval& step) {
   const bool is_by_length = measure == Measure::length;
-  const Interval pace = is_by_length ? disc->pace[0] : Interval(1);
-  bounds.length = (bounds.length + (Interval(to) - from) * pace).upper;
-  if (disc->spin) {
-    include_spinning(bounds, *disc);
+  const Interval pace = is_by_length ? disc.pace[0] : Interval(1);
+  bounds.length = (bounds.length + step * pace).upper;
+  if (disc.spin) {
+    include_spinning(bounds, disc);
   } else {
-    include_steady(bounds, *disc, {{pace, is_by_length ? disc->pace[1] : Interval(0)}});
+    include_steady(bounds, disc, {{pace, is_by_length ? disc.pace[1] : Interval(0)}});
   }
-  return true;
 }
 
 }  // namespace
 
-std::optional<BandBounds> bounds_over(const Motion& motion, Measure measure, double from, double to,
-                                      int cells) {
-  BandBounds bounds;
+std::optional<std::array<BandBounds, 2>> bounds_over(const Motion& motion, double from, double to,
+                                                     int cells) {
+  std::array<BandBounds, 2> bounds;
   for (int i = 0; i < cells; ++i) {
     const double a = i == 0 ? from : std::lerp(from, to, double(i) / cells);
     const double b = i + 1 == cells ? to : std::lerp(from, to, double(i + 1) / cells);
-    if (!include(bounds, motion, measure, a, b)) {
+    const auto disc = motion(a, b);
+    if (!disc) {
       return std::nullopt;
     }
+    include(bounds[0], *disc, Measure::length, Interval(b) - a);
+    include(bounds[1], *disc, Measure::parameter, Interval(b) - a);
   }
   return bounds;
 }
@@ -86,16 +84,11 @@ namespace {
 
 // The design of the bound is in docs/certificate_format.md: linear interpolation on right triangles
 // with legs dt and du, du widened by the frame's drift over a band and the tube's share of twist.
-bool band_follows(const Motion& motion, Measure measure, double from, double to, int cells,
-                  const Interval& around, double allowed) {
-  const auto bounds = bounds_over(motion, measure, from, to, cells);
-  if (!bounds) {
-    return false;
-  }
-  const Interval dt = bounds->length, turn = dt * bounds->turning;
+bool is_within(const BandBounds& bounds, const Interval& around, double allowed) {
+  const Interval dt = bounds.length, turn = dt * bounds.turning;
   const Interval du = around + Interval(0.27) * square(turn) / 16;
-  const Interval error = (square(dt) * bounds->along + Interval(2) * dt * du * bounds->mixed +
-                          square(du) * bounds->around) /
+  const Interval error = (square(dt) * bounds.along + Interval(2) * dt * du * bounds.mixed +
+                          square(du) * bounds.around) /
                          8;
   return turn.upper <= 1 && error.upper <= allowed;
 }
@@ -105,10 +98,11 @@ bool band_follows(const Motion& motion, double from, double to, std::uint32_t se
   const Enclosure pi = Mpfi::pi().rounded_outward();
   const Interval around = Interval(2) * Interval(pi.lower, pi.upper) / segments + twist;
   for (int cells = 1; cells <= 1 << kRefinements; cells *= 2) {
-    for (const Measure measure : {Measure::length, Measure::parameter}) {
-      if (band_follows(motion, measure, from, to, cells, around, allowed)) {
-        return true;
-      }
+    const auto bounds = bounds_over(motion, from, to, cells);
+    if (bounds && std::any_of(bounds->begin(), bounds->end(), [&](const BandBounds& its) {
+          return is_within(its, around, allowed);
+        })) {
+      return true;
     }
   }
   return false;

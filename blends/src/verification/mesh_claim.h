@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "dupin/blends/certificate.h"
@@ -16,9 +17,11 @@ struct BandBounds {
   double along = 0, mixed = 0, around = 0, turning = 0, length = 0;
 };
 
-/// By so many cells; none where nothing is known of the discs.
-[[nodiscard]] std::optional<BandBounds> bounds_over(const Motion& motion, Measure measure,
-                                                    double from, double to, int cells);
+/// By so many cells, and by both measures: to enclose the discs is what takes time. None where
+/// nothing is known of them.
+[[nodiscard]] std::optional<std::array<BandBounds, 2>> bounds_over(const Motion& motion,
+                                                                   double from, double to,
+                                                                   int cells);
 
 /// How large radii and the coordinates of centres may be; infinite where nothing is known of them.
 [[nodiscard]] double size_of(const Solid& solid);
