@@ -9,8 +9,6 @@
 #include <set>
 #include <string>
 
-#include <Eigen/Geometry>
-
 #include "assembly/cost_limit.h"
 #include "assembly/fillet_overlap.h"
 #include "assembly/filleted_runs.h"
@@ -78,6 +76,12 @@ constexpr std::size_t kTightOfAll = 1 << 16, kLeastTight = 1 << 7;
 // Of so many parts each pair has a claim of its own if nothing else is asked for.
 constexpr std::size_t kFewParts = 64;
 
+// What is asked for each kFewParts of them.
+std::uint64_t work_of_parts(std::uint64_t work, std::size_t parts) {
+  const std::uint64_t times = 1 + (std::max<std::size_t>(parts, 1) - 1) / kFewParts;
+  return work <= std::numeric_limits<std::uint64_t>::max() / times ? work * times : work;
+}
+
 double default_distance(const Assembly& assembly, std::size_t parts) {
   return parts <= kFewParts ? 0 : 2 * assembly.tolerance;
 }
@@ -95,41 +99,6 @@ std::vector<PartPair> all_pairs(std::uint32_t parts) {
 // Arcs are not divided further than the leaves of the claim that their loop is regular.
 constexpr std::size_t kBoxesOfLoop = 1 << 11;
 
-// A tight bound may have part of the work, for there are claims to come; one that is not as tight
-// takes little.
-certification::MeshRooms first_rooms() {
-  return {{{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
-}
-
-// Of an error of this share of the tolerance: within that, if the tightest of them is not.
-certification::MeshRooms last_rooms(double share) {
-  certification::MeshRooms rooms{{{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
-  const double within = (1 / share - 1) * (1 - 0x1p-20);
-  if (within > 0 && within < rooms.all.front().share) {
-    rooms.all.insert(rooms.all.begin(), {within, 2});
-  }
-  return rooms;
-}
-
-// The largest angle about a ring's axis that a triangle spans, but for what rounding its corners to
-// the grid adds: claims count that by itself.
-double widest_turn(const TriMesh& mesh, const Ring& ring, double grid) {
-  const double moved = std::numbers::sqrt3 / 2 * grid;
-  const auto arm = [&](std::uint32_t vertex) -> Vec3 {
-    const Vec3 from = mesh.points[vertex] - ring.center;
-    return from - from.dot(ring.normal) * ring.normal;
-  };
-  double widest = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 a = arm(t.at(i)), b = arm(t.at((i + 1) % 3));
-      widest = std::max(
-          widest, std::atan2(a.cross(b).norm(), a.dot(b)) - moved / a.norm() - moved / b.norm());
-    }
-  }
-  return widest;
-}
-
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
@@ -138,7 +107,7 @@ class Certifier {
         resolved_(resolve(assembly)),
         grid_(assembly::lattice_spacing(assembly, resolved_)),
         runs_(assembly::welded_runs(resolved_)),
-        left_{options.work, CertificateLimits::kWork} {
+        left_{0, CertificateLimits::kWork} {
     assembly::refuse_too_costly(assembly_, resolved_, runs_, grid_, options_.most_triangles);
   }
 
@@ -150,11 +119,14 @@ class Certifier {
     result_.parts = std::move(inputs.parts);
     result_.fillets = std::move(inputs.fillets);
     result_.junctions = std::move(inputs.junctions);
+    left_.searches = work_of_parts(options_.work, result_.parts.size());
     certification::reserve_for(result_.junctions, left_);
     tell(options_.progress, "certify parts");
+    admit_parts();
+    find_near_pairs();
     append_parts();
     tell(options_.progress, "certify meshes");
-    append_meshes();
+    append_first_meshes();
     tell(options_.progress, "certify clearances");
     append_clearances();
     append_fillet_clearances();
@@ -163,22 +135,29 @@ class Certifier {
   }
 
  private:
-  void append_parts() {
+  void admit_parts() {
     std::vector<std::optional<verification::Solid>> solids(result_.parts.size());
+    for_each_claim(solids.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      solids[i] = certification::admitted(result_.parts[i], work);
+    });
+    for (auto& solid : solids) {
+      solids_.push_back(std::move(*solid));
+    }
+  }
+
+  void append_parts() {
     std::vector<std::optional<SweptDiscs>> sweeps(result_.parts.size());
     result_.claims.resize(result_.parts.size());
     for_each_claim(result_.parts.size(), left_, [&](std::size_t i, ClaimWork& work) {
       const CertifiedPart& part = result_.parts[i];
       sweeps[i] =
           std::visit([&](const auto& s) { return SweptDiscs(s, &work.searches()); }, part.shape);
-      solids[i] = certification::admitted(part, work);
       result_.claims[i] = std::visit(
-          [&](const auto& s) { return claims(s, *sweeps[i], *solids[i], part.name, work); },
+          [&](const auto& s) { return claims(s, *sweeps[i], solids_[i], part.name, work); },
           part.shape);
     });
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-      solids_.push_back(std::move(*solids[i]));
-      sweeps_.push_back(sweeps[i]->with(nullptr));
+    for (const auto& sweep : sweeps) {
+      sweeps_.push_back(sweep->with(nullptr));
     }
   }
 
@@ -286,7 +265,8 @@ class Certifier {
     if (!claim) {
       return;
     }
-    result_.claims[part].mesh = certification::agreed(*claim, solids_[part], first_rooms(), work);
+    result_.claims[part].mesh =
+        certification::agreed(*claim, solids_[part], certification::first_rooms(), work);
     if (!result_.claims[part].mesh && work.lacks_work()) {
       waiting_meshes_[part] = std::move(claim);
     }
@@ -304,7 +284,8 @@ class Certifier {
       const std::uint32_t part = waiting[i];
       const MeshClaim& claim = *waiting_meshes_[part];
       result_.claims[part].mesh = certification::agreed(
-          claim, solids_[part], last_rooms(claim.error_bound / assembly_.tolerance), work);
+          claim, solids_[part], certification::last_rooms(claim.error_bound / assembly_.tolerance),
+          work);
     });
   }
 
@@ -348,7 +329,7 @@ class Certifier {
       const std::uint32_t part = trimmed[i];
       const Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
-      const double turn = widest_turn(face.mesh, ring, grid_) * (1 + 0x1p-40);
+      const double turn = certification::widest_turn(face.mesh, ring, grid_) * (1 + 0x1p-40);
       const auto segments = std::uint32_t(2 * std::numbers::pi / turn);
       agree_mesh(part, MeshClaim{segments, grid_, {0, 1}, face.error_bound, face.axes}, work);
     });
@@ -385,8 +366,9 @@ class Certifier {
     return claims;
   }
 
-  void append_clearances() {
-    result_.apart = options_.apart.value_or(default_distance(assembly_, sweeps_.size()));
+  // Before what may take all of the work: without them there is a claim for each pair.
+  void find_near_pairs() {
+    result_.apart = options_.apart.value_or(default_distance(assembly_, solids_.size()));
     std::optional<std::vector<PartPair>> pairs;
     if (result_.apart > 0) {
       result_.axes = directions_of_parts();
@@ -397,14 +379,30 @@ class Certifier {
     if (!pairs) {
       result_.apart = 0;
       result_.axes.reset();
-      pairs = all_pairs(std::uint32_t(sweeps_.size()));
     }
-    allow(kWorkOfPair * pairs->size());
-    tight_ = std::max(kLeastTight, kTightOfAll / std::max<std::size_t>(pairs->size(), 1));
+    pairs_ = pairs ? std::move(*pairs) : all_pairs(std::uint32_t(solids_.size()));
+  }
+
+  // Of many parts they would take all of the work: half of it is for the clearances.
+  void append_first_meshes() {
+    certification::WorkLeft kept;
+    if (result_.parts.size() > kFewParts) {
+      kept = {0, left_.checks / 2, certification::kMostRefused / 2};
+      left_.checks -= kept.checks;
+      left_.refused += kept.refused;
+    }
+    append_meshes();
+    left_.checks += kept.checks;
+    left_.refused -= kept.refused;
+  }
+
+  void append_clearances() {
+    allow(kWorkOfPair * pairs_.size());
+    tight_ = std::max(kLeastTight, kTightOfAll / std::max<std::size_t>(pairs_.size(), 1));
     const auto at_hubs = arms_and_hubs();
-    result_.clearances.resize(pairs->size());
-    for_each_claim(pairs->size(), left_, [&](std::size_t i, ClaimWork& work) {
-      const PartPair& pair = (*pairs)[i];
+    result_.clearances.resize(pairs_.size());
+    for_each_claim(pairs_.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const PartPair& pair = pairs_[i];
       const auto [first, second] = pair;
       const bool is_at_hub = at_hubs.contains(pair);
       ClearanceClaim claim =
@@ -530,6 +528,7 @@ class Certifier {
   double grid_;  // of the meshes
   std::vector<assembly::WeldedRun> runs_;
   certification::WorkLeft left_;
+  std::vector<PartPair> pairs_;
   std::size_t tight_ = 0;  // boxes of a pair
   std::vector<SweptDiscs> sweeps_;
   std::vector<verification::Solid> solids_;

@@ -123,6 +123,19 @@ TangencyClaim agreed(TangencyClaim claim, const PieceEnd& at, double tolerance, 
   return claim;
 }
 
+MeshRooms first_rooms() {
+  return {{{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
+}
+
+MeshRooms last_rooms(double share) {
+  MeshRooms rooms{{{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
+  const double within = (1 / share - 1) * (1 - 0x1p-20);
+  if (within > 0 && within < rooms.all.front().share) {
+    rooms.all.insert(rooms.all.begin(), {within, 2});
+  }
+  return rooms;
+}
+
 // The tighter the bound, the shorter the stretches that it is looked for on.
 std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid, const MeshRooms& rooms,
                                 ClaimWork& work) {

@@ -55,6 +55,12 @@ struct MeshRooms {
   bool end_without_work = false;  ///< what lacks work for one is not tried with another
 };
 
+/// A tight bound may have part of the work, for there are claims to come; one that is not as tight
+/// takes little.
+[[nodiscard]] MeshRooms first_rooms();
+/// Of an error of this share of the tolerance: within that, if the tightest of them is not.
+[[nodiscard]] MeshRooms last_rooms(double share);
+
 /// None: undecided.
 [[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid,
                                               const MeshRooms& rooms, ClaimWork& work);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "dupin/blends/certificate.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
@@ -55,13 +54,12 @@ bool ClaimWork::holds(std::uint64_t allowance, const std::function<bool()>& chec
 }
 
 bool ClaimWork::has_refused_too_much() {
-  constexpr std::uint64_t kMost = 8 * CertificateLimits::kWork;
-  if (taken_.begun_.refused + taken_.refused_ > kMost) {
-    const std::uint64_t own = std::min(kMost + 1, taken_.refused_);
-    taken_.refused_from_ = std::max(taken_.refused_from_, kMost + 1 - own);
+  if (taken_.begun_.refused + taken_.refused_ > kMostRefused) {
+    const std::uint64_t own = std::min(kMostRefused + 1, taken_.refused_);
+    taken_.refused_from_ = std::max(taken_.refused_from_, kMostRefused + 1 - own);
     return true;
   }
-  taken_.refused_to_ = std::min(taken_.refused_to_, kMost - taken_.refused_);
+  taken_.refused_to_ = std::min(taken_.refused_to_, kMostRefused - taken_.refused_);
   return false;
 }
 

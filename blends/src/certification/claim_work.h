@@ -5,9 +5,13 @@
 #include <functional>
 
 #include "certification/search_work.h"
+#include "dupin/blends/certificate.h"
 #include "verification/work.h"
 
 namespace dupin::certification {
+
+/// What the checker may look at for nothing, in all claims together.
+constexpr std::uint64_t kMostRefused = 8 * CertificateLimits::kWork;
 
 /// What is left for the claims to come: for searches, for the checker, and what that has looked at
 /// for nothing.

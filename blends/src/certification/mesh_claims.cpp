@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "dupin/blends/cyclide_tube.h"
 #include "surfaces/kneecap_chain_mesh.h"
 
@@ -74,6 +76,23 @@ std::optional<MeshClaim> mesh_claim(const Chain& chain, const RingSampling& samp
     append_skin(inner_skin(chain), sampling, tolerance, claim.inner_knots, claim);
   }
   return claim.knots.empty() ? std::nullopt : std::optional(std::move(claim));
+}
+
+double widest_turn(const TriMesh& mesh, const Ring& ring, double grid) {
+  const double moved = std::numbers::sqrt3 / 2 * grid;
+  const auto arm = [&](std::uint32_t vertex) -> Vec3 {
+    const Vec3 from = mesh.points[vertex] - ring.center;
+    return from - from.dot(ring.normal) * ring.normal;
+  };
+  double widest = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = arm(t.at(i)), b = arm(t.at((i + 1) % 3));
+      widest = std::max(
+          widest, std::atan2(a.cross(b).norm(), a.dot(b)) - moved / a.norm() - moved / b.norm());
+    }
+  }
+  return widest;
 }
 
 }  // namespace dupin::certification

@@ -14,4 +14,8 @@ namespace dupin::certification {
 [[nodiscard]] std::optional<MeshClaim> mesh_claim(const Chain& chain, const RingSampling& sampling,
                                                   double tolerance);
 
+/// The largest angle about a ring's axis that a triangle spans, but for what rounding its corners
+/// to the grid adds: claims count that by itself.
+[[nodiscard]] double widest_turn(const TriMesh& mesh, const Ring& ring, double grid);
+
 }  // namespace dupin::certification

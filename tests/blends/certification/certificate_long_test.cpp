@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "blends/random_blends.h"
+#include "dupin/blends/pipe_graph.h"
 
 namespace dupin {
 namespace {
@@ -39,6 +42,29 @@ TEST(Certificate, of_splines_of_thousands_of_points_is_what_verify_has_the_work_
   EXPECT_EQ(found.claims[2].embedded->verdict, Verdict::proved);
   EXPECT_GT(found.findings(), 0U) << "and yet not all of it";
   verify(found);
+}
+
+// 292 parts of junctions, of which the checks take all the work that there is.
+TEST(Certificate, of_many_junctions_has_claims_of_near_pairs_only) {
+  constexpr std::uint32_t kSide = 7;
+  PipeGraph graph;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    const std::uint32_t column = i % kSide, row = i / kSide;
+    graph.nodes.push_back({std::to_string(i), Vec3(20. * column, 20. * row, 0)});
+    if (column > 0) {
+      graph.edges.push_back({i - 1, i});
+    }
+    if (row > 0) {
+      graph.edges.push_back({i - kSide, i});
+    }
+  }
+  const Certificate found = certify(assembly_of(graph, {.radius = 2}).assembly);
+  verify(found);
+  EXPECT_GT(found.apart, 0);
+  EXPECT_LT(found.clearances.size(), 5 * found.parts.size());
+  const auto proved = std::ranges::count(found.clearances, Verdict::proved,
+                                         [](const ClearanceClaim& c) { return c.verdict; });
+  EXPECT_GT(proved, 50) << "meshes leave some of the work";
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct CertifyOptions {
   std::optional<double> margin = {};
   /// Boxes of parameters that one claim may be divided into before it is left undecided.
   std::size_t boxes = 1 << 14;
-  /// That all searches together may take, in units of a few microseconds; far pairs of parts are
-  /// not counted. When it is used up, what is not found at the first look is undecided.
+  /// That all searches together may take for each 64 parts, in units of a few microseconds; far
+  /// pairs are not counted. When it is used up, what is not found at the first look is undecided.
   std::uint64_t work = 3 << 18;
   /// Pairs of parts that are certain to be at least so far from each other have one claim for all;
   /// 0: none of them, all have a claim of their own. None: 0 for up to 64 parts, else twice the
