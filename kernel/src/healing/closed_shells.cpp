@@ -95,7 +95,8 @@ class ShellFinder {
       join_without_choice();
       join_by_angles();
     }
-    ClosedShells found{mesh::grouped(sets_.representatives()), {}};
+    ClosedShells found{mesh::grouped(sets_.representatives()), {}, {}};
+    found.touches_itself.resize(found.shells.count, 0);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       add_pairs(edges_[i].half_edges, found);
     }
@@ -403,6 +404,12 @@ class ShellFinder {
     std::vector<std::uint32_t> at_edge;
     for (const std::uint32_t h : half_edges) {
       at_edge.push_back(found.shells.of_face[h / 3]);
+    }
+    std::ranges::sort(at_edge);
+    for (std::size_t i = 2; i < at_edge.size(); ++i) {
+      if (at_edge[i - 2] == at_edge[i]) {
+        found.touches_itself[at_edge[i]] = 1;
+      }
     }
     support::sort_unique(at_edge);
     for (auto low = at_edge.begin(); low != at_edge.end(); ++low) {

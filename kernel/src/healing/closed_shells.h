@@ -16,6 +16,8 @@ struct ClosedShells {
   mesh::Shells shells;
   /// The lower one first; but for edges of very many faces.
   std::vector<ShellPair> at_one_edge;
+  /// Per shell 1 if more than two of its faces are at an edge.
+  std::vector<std::uint8_t> touches_itself;
 };
 
 /// Divides faces that run along each edge as often one way as the other into shells that do, too,

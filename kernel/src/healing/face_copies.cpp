@@ -45,6 +45,7 @@ struct Choice {
   Choice(std::size_t faces, std::span<const std::uint8_t> was_turned)
       : is_kept(faces, 0), is_turned(was_turned.begin(), was_turned.end()) {
     is_turned.resize(faces, 0);
+    is_paired.resize(faces, 0);
   }
 
   /// Keeps as many copies of a face as `count` says, its sign the way round: rather such as need no
@@ -64,7 +65,7 @@ struct Choice {
     }
   }
 
-  std::vector<std::uint8_t> is_kept, is_turned;
+  std::vector<std::uint8_t> is_kept, is_turned, is_paired;
   bool has_copies = false;  // of one face, among those kept
 };
 
@@ -86,6 +87,7 @@ SettledCopies applied(const Choice& choice, std::span<const std::uint8_t> was_tu
       turn(soup.triangles[at]);
     }
     settled.is_turned.push_back(choice.is_turned[i]);
+    settled.is_paired.push_back(choice.is_paired[i]);
   }
   soup.triangles.resize(settled.is_turned.size());
   soup.sources.resize(settled.is_turned.size());
@@ -139,8 +141,9 @@ struct OrderedFaces {
   std::vector<Triangle> triangles;
 };
 
-// Chooses among faces of which all that hang together with them are given.
-void close(const PolygonSoup& soup, std::vector<std::uint32_t> faces, Choice& choice) {
+// Chooses among faces of which all that hang together with them are given. With `pairs`, copies
+// that are not needed to close the surface stay as pairs that look opposite ways.
+void close(const PolygonSoup& soup, std::vector<std::uint32_t> faces, bool pairs, Choice& choice) {
   std::ranges::sort(faces);
   const OrderedFaces ordered(soup, faces);
   DistinctFaces distinct(ordered.triangles);
@@ -149,8 +152,26 @@ void close(const PolygonSoup& soup, std::vector<std::uint32_t> faces, Choice& ch
   for (Copy& copy : distinct.copies) {
     copy.face = faces[copy.face];
   }
+  const mesh::EdgeTable edges(distinct.triangles, ordered.points.size());
+  const mesh::Shells parts = mesh::shells(distinct.triangles.size(), edges);
+  std::vector<std::uint8_t> vanishes(parts.count, 0);
   for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
-    choice.keep(distinct.copies_of(i), counts[i]);
+    if (counts[i] == 0) {
+      vanishes[parts.of_face[i]] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
+    const auto copies = distinct.copies_of(i);
+    const int spare = pairs && vanishes[parts.of_face[i]] != 0
+                          ? (static_cast<int>(copies.size()) - std::abs(counts[i])) / 2
+                          : 0;
+    const int front = std::max(counts[i], 0) + spare, back = std::max(-counts[i], 0) + spare;
+    choice.keep(copies, counts[i] < 0 ? -back : front);
+    choice.keep(copies, counts[i] < 0 ? front : -back);
+    choice.has_copies |= spare > 0;
+    for (const Copy& copy : copies) {
+      choice.is_paired[copy.face] = spare > 0 ? 1 : 0;
+    }
   }
 }
 
@@ -176,14 +197,14 @@ SettledCopies close_surface(PolygonSoup& soup) {
     }
   }
   if (!open.empty()) {
-    close(soup, std::move(open), choice);
+    close(soup, std::move(open), true, choice);
   }
   return applied(choice, {}, soup);
 }
 
 SettledCopies settle_copies(PolygonSoup& soup, std::span<const std::uint8_t> was_turned) {
   Choice choice(soup.triangles.size(), was_turned);
-  close(soup, support::numbers_below(soup.triangles.size()), choice);
+  close(soup, support::numbers_below(soup.triangles.size()), false, choice);
   return applied(choice, was_turned, soup);
 }
 

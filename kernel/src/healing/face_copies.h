@@ -13,6 +13,7 @@ struct SettledCopies {
   std::size_t dropped = 0;
   bool has_copies = false;              ///< among those left
   std::vector<std::uint8_t> is_turned;  ///< of each triangle left
+  std::vector<std::uint8_t> is_paired;  ///< likewise: copies of it stay that close nothing
 };
 
 /// Decides how often each triangle counts, and which way round, so that the surface is closed:

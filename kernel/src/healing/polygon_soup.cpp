@@ -1,9 +1,7 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <set>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,10 +9,10 @@
 #include "arrangement/arrange.h"
 #include "healing/closed_shells.h"
 #include "healing/shell_enclosure.h"
+#include "healing/shell_lobes.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
-#include "support/disjoint_sets.h"
 #include "support/sequences.h"
 
 namespace dupin::healing {
@@ -36,117 +34,123 @@ std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shell
 
 struct InsideOut {
   Faces faces;
-  std::size_t cavities = 0;  // shells of negative volume, once these are turned
+  Cavities cavities;  // once these are turned
 };
 
-using Ends = std::array<std::uint32_t, 2>;
+/// Which shells bound material and which voids, from outside to inside.
+class ShellFacing {
+ public:
+  ShellFacing(const ClosedShells& closed, std::span<const int> signs,
+              const ShellEnclosure& enclosure, std::span<const std::uint8_t> is_paired)
+      : closed_(closed), signs_(signs), enclosure_(enclosure), is_paired_(is_paired) {}
 
-Triangle ascending(Triangle corners) {
-  std::ranges::sort(corners);
-  return corners;
-}
-
-std::array<Ends, 3> edges_of(const Triangle& t) {
-  const auto [a, b, c] = ascending(t);
-  return {Ends{a, b}, Ends{a, c}, Ends{b, c}};
-}
-
-// If what a shell has alone is in several parts without the edges that another one has, too.
-bool is_parted_by(std::span<const Triangle> shell, std::span<const Triangle> other) {
-  std::set<Triangle> faces;
-  std::set<Ends> edges;
-  for (const Triangle& t : other) {
-    faces.insert(ascending(t));
-    for (const Ends& edge : edges_of(t)) {
-      edges.insert(edge);
+  /// Per shell the sign of its volume as it has to be.
+  std::vector<int> find() {
+    facing_.assign(signs_.size(), 0);
+    std::vector<std::uint32_t> order = support::numbers_below(signs_.size());
+    std::ranges::stable_sort(
+        order, {}, [this](std::uint32_t shell) { return enclosure_.around(shell).size(); });
+    for (const std::uint32_t shell : order) {
+      if (signs_[shell] != 0) {
+        facing_[shell] = is_cavity(shell) ? -1 : 1;
+      }
     }
+    return std::move(facing_);
   }
-  std::map<Ends, std::uint32_t> face_at;
-  support::DisjointSets parts(shell.size());
-  std::set<std::uint32_t> alone;
-  for (std::uint32_t i = 0; i < shell.size(); ++i) {
-    if (faces.contains(ascending(shell[i]))) {
+
+ private:
+  // If in material it is part of no shell right around it; in a void, if it is part of all of them.
+  [[nodiscard]] bool is_cavity(std::uint32_t shell) const {
+    if (std::ranges::any_of(closed_.shells.faces_of(shell),
+                            [this](std::uint32_t face) { return is_paired_[face] != 0; })) {
+      return false;
+    }
+    int winding = 0;
+    for (const std::uint32_t outer : enclosure_.around(shell)) {
+      winding += facing_[outer];
+    }
+    const std::vector<std::uint32_t> parents = parents_of(shell);
+    if (winding > 0) {
+      return std::ranges::none_of(
+          parents, [&](std::uint32_t outer) { return is_of_material(shell, outer); });
+    }
+    return !parents.empty() && std::ranges::all_of(parents, [&](std::uint32_t outer) {
+      return facing_[outer] < 0 && may_cross(shell, outer);
+    });
+  }
+
+  // By the way it faces. If both are inside out it is a void's, unless they may cross.
+  [[nodiscard]] bool is_of_material(std::uint32_t shell, std::uint32_t outer) const {
+    const bool agrees = signs_[outer] == signs_[shell];
+    return facing_[outer] < 0 ? !agrees : agrees && (signs_[shell] > 0 || may_cross(shell, outer));
+  }
+
+  // If they face the same way and have an edge in common, both might as well be others that cross.
+  [[nodiscard]] bool may_cross(std::uint32_t shell, std::uint32_t outer) const {
+    return signs_[outer] == signs_[shell] &&
+           std::ranges::binary_search(closed_.at_one_edge, ShellPair(std::minmax(outer, shell)));
+  }
+
+  // The inmost of those around it.
+  [[nodiscard]] std::vector<std::uint32_t> parents_of(std::uint32_t shell) const {
+    const auto around = enclosure_.around(shell);
+    std::vector<std::uint32_t> parents;
+    std::ranges::copy_if(around, std::back_inserter(parents), [&](std::uint32_t outer) {
+      return std::ranges::none_of(around, [&](std::uint32_t other) {
+        return std::ranges::binary_search(enclosure_.around(other), outer);
+      });
+    });
+    return parents;
+  }
+
+  const ClosedShells& closed_;
+  std::span<const int> signs_;
+  const ShellEnclosure& enclosure_;
+  std::span<const std::uint8_t> is_paired_;
+  std::vector<int> facing_;
+};
+
+// Turns what shells that touch themselves wind around the other way than most.
+void turn_lobes(PolygonSoup& soup, const ClosedShells& closed, std::vector<int>& signs,
+                std::vector<std::uint8_t>& is_turned) {
+  for (std::size_t shell = 0; shell < closed.shells.count; ++shell) {
+    if (closed.touches_itself[shell] == 0) {
       continue;
     }
-    alone.insert(i);
-    for (const Ends& edge : edges_of(shell[i])) {
-      if (!edges.contains(edge)) {
-        parts.unite(i, face_at.try_emplace(edge, i).first->second);
-      }
+    const auto of_shell = closed.shells.faces_of(shell);
+    const Faces to_turn = lobe_faces(soup, of_shell, signs[shell]);
+    for (const std::uint32_t face : to_turn) {
+      turn(soup.triangles[face]);
+      is_turned[face] ^= 1;
+    }
+    if (!to_turn.empty() && signs[shell] == 0) {
+      signs[shell] = 1;
     }
   }
-  return std::ranges::any_of(
-      alone, [&](std::uint32_t i) { return parts.find(i) != parts.find(*alone.begin()); });
 }
 
-// If shells of which one is within the other might as well be others that cross: parts of the one
-// go on as parts of the other. Of a single part each, they would be what they are.
-bool may_cross(const PolygonSoup& soup, const mesh::Shells& shells, const ShellPair& pair) {
-  const std::span all(std::as_const(soup.triangles));
-  const auto a = support::selected(all, shells.faces_of(pair.first)),
-             b = support::selected(all, shells.faces_of(pair.second));
-  return is_parted_by(a, b) || is_parted_by(b, a);
-}
-
-// Per shell the number of those around it. Where some of one sign of volume might as well be
-// others that cross, of these the inmost counts alone, and only around what is none of them.
-std::vector<int> depths_of(const PolygonSoup& soup, const ClosedShells& closed,
-                           std::span<const int> signs, const ShellEnclosure& enclosure) {
-  std::vector<std::vector<std::uint32_t>> within(closed.shells.count);
-  for (const auto& [a, b] : closed.at_one_edge) {
-    if (signs[a] == signs[b]) {
-      for (const auto& [outer, inner] : {ShellPair(a, b), ShellPair(b, a)}) {
-        if (std::ranges::binary_search(enclosure.around(inner), outer) &&
-            may_cross(soup, closed.shells, {outer, inner})) {
-          within[outer].push_back(inner);
-        }
-      }
-    }
-  }
-  std::vector<int> depths;
-  depths.reserve(closed.shells.count);
-  for (std::uint32_t shell = 0; shell < closed.shells.count; ++shell) {
-    const auto around = enclosure.around(shell);
-    const auto is_replaced = [&](std::uint32_t outer) {
-      return std::ranges::any_of(within[outer], [&](std::uint32_t inner) {
-        return inner == shell || std::ranges::binary_search(around, inner);
-      });
-    };
-    depths.push_back(
-        static_cast<int>(std::ssize(around) - std::ranges::count_if(around, is_replaced)));
-  }
-  return depths;
-}
-
-// Shells of negative volume that an even number of others encloses, and those right inside of one
-// of these that face it as a cavity's wall does.
-InsideOut inside_out(const PolygonSoup& soup) {
+InsideOut inside_out(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,
+                     std::vector<std::uint8_t>& is_turned) {
   const ClosedShells closed = closed_shells(soup.points, soup.triangles);
   const mesh::Shells& shells = closed.shells;
-  const std::vector<int> signs = volume_signs(soup, shells);
+  std::vector<int> signs = volume_signs(soup, shells);
+  turn_lobes(soup, closed, signs, is_turned);
+  InsideOut result;
+  result.cavities.touching = std::ranges::count(closed.touches_itself, 1) > 0;
   if (std::ranges::find(signs, -1) == signs.end()) {
-    return {};
+    return result;
   }
   const ShellEnclosure enclosure(soup, shells, signs);
-  const std::vector<int> depths = depths_of(soup, closed, signs, enclosure);
-  std::vector<std::size_t> to_turn;
-  InsideOut result;
+  const std::vector<int> facing = ShellFacing(closed, signs, enclosure, is_paired).find();
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    if (depths[shell] % 2 == 0 && signs[shell] < 0) {
-      to_turn.push_back(shell);
-    } else if (signs[shell] < 0) {
-      ++result.cavities;
-    } else if (depths[shell] % 2 != 0 && signs[shell] > 0 &&
-               std::ranges::any_of(enclosure.around(shell), [&](std::uint32_t outer) {
-                 return depths[outer] + 1 == depths[shell] && signs[outer] < 0;
-               })) {
-      to_turn.push_back(shell);
-      ++result.cavities;
-    }
-  }
-  for (const std::size_t shell : to_turn) {
     const auto of_shell = shells.faces_of(shell);
-    result.faces.insert(result.faces.end(), of_shell.begin(), of_shell.end());
+    if (facing[shell] < 0) {
+      ++result.cavities.count;
+      result.cavities.faces.insert(result.cavities.faces.end(), of_shell.begin(), of_shell.end());
+    }
+    if (facing[shell] != signs[shell]) {
+      result.faces.insert(result.faces.end(), of_shell.begin(), of_shell.end());
+    }
   }
   return result;
 }
@@ -191,13 +195,18 @@ mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const
   return solid;
 }
 
-std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned) {
-  const InsideOut found = inside_out(soup);
+Cavities turn_shells_outward(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,
+                             std::vector<std::uint8_t>& is_turned) {
+  InsideOut found = inside_out(soup, is_paired, is_turned);
   for (const std::uint32_t face : found.faces) {
     turn(soup.triangles[face]);
     is_turned[face] ^= 1;
   }
-  return found.cavities;
+  Cavities cavities = std::move(found.cavities);
+  for (std::uint32_t& face : cavities.faces) {
+    face = soup.sources[face];
+  }
+  return cavities;
 }
 
 }  // namespace dupin::healing

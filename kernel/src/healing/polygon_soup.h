@@ -40,12 +40,21 @@ struct MergedPoints {
                                            const Progress& progress = {},
                                            std::span<const std::uint8_t> crossing = {});
 
-/// Divides the soup, which is closed, into shells (closed_shells.h), and turns those of negative
-/// volume that an even number of others encloses (shell_enclosure.h; shells of one sign that could
-/// be others that cross are one there), and with them those right inside that face them as the
-/// walls of cavities do, so that a solid that is all inside out keeps its cavities. `is_turned`
-/// says of each triangle whether it is turned. Returns how many shells are left of negative volume,
-/// as the walls of cavities.
-std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<std::uint8_t>& is_turned);
+/// The shells of negative volume that are the walls of cavities.
+struct Cavities {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> faces;  ///< of the mesh
+  bool touching = false;             ///< some shell, a cavity's or not, touches itself at an edge
+};
+
+/// Divides the soup, which is closed, into shells (closed_shells.h), turns what one of them winds
+/// around the other way than most (shell_lobes.h), and then, from outside to inside
+/// (shell_enclosure.h), those inside out that are no cavities. Within material a shell is a
+/// cavity's wall if it faces the other way than all those right around it, so that a solid that is
+/// all inside out keeps its cavities; or if they are inside out as it is and have no edge in common
+/// with it: else they could as well be others that cross. No shell with a triangle that `is_paired`
+/// is one. `is_turned` says of each triangle whether it is turned.
+Cavities turn_shells_outward(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,
+                             std::vector<std::uint8_t>& is_turned);
 
 }  // namespace dupin::healing

@@ -15,6 +15,7 @@
 #include "healing/degenerate_faces.h"
 #include "healing/face_copies.h"
 #include "healing/kept_surface.h"
+#include "healing/lost_faces.h"
 #include "healing/open_edges.h"
 #include "healing/polygon_soup.h"
 #include "mesh/edge_table.h"
@@ -138,10 +139,14 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   healing::PolygonSoup& soup = merged.soup;
   report.merged_points = merged.copies;
   report.degenerate_faces = healing::drop_degenerate_faces(soup);
+  const healing::PolygonSoup given = soup;
   healing::SettledCopies settled = healing::close_surface(soup);
   report.duplicate_faces = settled.dropped;
+  const bool was_closed = settled.dropped == 0 && std::ranges::count(settled.is_turned, 1) == 0;
   healing::refuse_open_edges(soup, mesh);
-  report.cavities = healing::turn_shells_outward(soup, settled.is_turned);
+  const healing::Cavities cavities =
+      healing::turn_shells_outward(soup, settled.is_paired, settled.is_turned);
+  report.cavities = cavities.count;
   if (settled.has_copies) {
     settled = healing::settle_copies(soup, settled.is_turned);
     report.duplicate_faces += settled.dropped;
@@ -155,6 +160,13 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
     plain = united_shells(soup, mesh, progress);
   }
   mesh::ExactMesh solid = plain ? std::move(*plain) : healing::wound_around(soup, mesh, progress);
+  if (!was_closed || cavities.count > 0 || cavities.touching) {
+    std::vector<std::uint8_t> is_of_cavity(mesh.triangles.size(), 0);
+    for (const std::uint32_t face : cavities.faces) {
+      is_of_cavity[face] = 1;
+    }
+    healing::refuse_lost_faces(given, soup, solid, is_of_cavity);
+  }
   report.united_overlaps = !is_plain && !healing::keeps_surface(solid, soup);
   report.parted_contacts = !is_plain && !solid.contacts.empty();
   return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "arrangement/arrange.h"
 #include "checking/self_intersection.h"
+#include "healing/shell_lobes.h"
 #include "healing/sorted_copies.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/shell_nesting.h"
@@ -196,24 +196,8 @@ class EnclosureFinder {
   const mesh::ExactMesh& region(std::uint32_t shell) {
     const auto [at, is_new] = regions_.try_emplace(shell);
     if (is_new) {
-      mesh::ExactMesh surface;
-      std::unordered_map<std::uint32_t, std::uint32_t> number;
-      for (const std::uint32_t face : shells_.faces_of(shell)) {
-        Triangle t = soup_.triangles[face];
-        for (std::uint32_t& corner : t) {
-          const auto place = number.emplace(corner, static_cast<std::uint32_t>(number.size()));
-          if (place.second) {
-            surface.points.push_back(soup_.points[corner]);
-          }
-          corner = place.first->second;
-        }
-        if (signs_[shell] < 0) {
-          std::swap(t[1], t[2]);
-        }
-        surface.triangles.push_back(t);
-        surface.sources.push_back({0, face});
-      }
-      at->second = arrangement::positive_winding_boundary(surface);
+      at->second = arrangement::positive_winding_boundary(
+          surface_of(soup_, shells_.faces_of(shell), signs_[shell] < 0));
     }
     return at->second;
   }

@@ -1,9 +1,14 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/solid.h"
 #include "support/shapes.h"
@@ -100,12 +105,68 @@ TEST(OverlappingShells, beams_that_overlap_all_count_whichever_are_inside_out) {
   }
 }
 
-// They could not be divided into others: the one is a cavity at the end of the other.
-TEST(OverlappingShells, of_beams_with_one_end_in_common_the_short_one_is_a_cavity_if_inside_out) {
+// It has edges in common with the other: so a cavity at its end only if it faces the other way.
+TEST(OverlappingShells, of_beams_with_one_end_in_common_the_short_one_may_be_a_cavity) {
   const std::vector<Beam> beams = {{0, 2}, {0, 1}};
-  EXPECT_EQ(repaired_volume(soup_of(beams, 0)), 2);
-  for (const std::uint32_t inside_out : {1U, 2U, 3U}) {
+  for (const std::uint32_t inside_out : {0U, 3U}) {
+    EXPECT_EQ(repaired_volume(soup_of(beams, inside_out)), 2);
+  }
+  for (const std::uint32_t inside_out : {1U, 2U}) {
     EXPECT_EQ(repaired_volume(soup_of(beams, inside_out)), 1);
+  }
+}
+
+TriMesh with_random_faces_turned(TriMesh mesh, std::mt19937& random) {
+  for (Triangle& t : mesh.triangles) {
+    if (random() % 2 == 0) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return mesh;
+}
+
+// What is left of both, or nothing where repair() says that it would lose something.
+std::optional<mpq_class> volume_unless_refused(const TriMesh& mesh) {
+  try {
+    return repaired_volume(mesh);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::not_oriented);
+    EXPECT_NE(std::string(error.what()).find("would be lost"), std::string::npos) << error.what();
+    return std::nullopt;
+  }
+}
+
+// Their ends are copies, their sides are not: without the ends, sides that face opposite ways close
+// each other around nothing.
+TEST(OverlappingShells, of_beams_in_one_place_whose_sides_are_divided_otherwise_one_is_left) {
+  std::mt19937 random(34);
+  const TriMesh whole = surface_of({0, 1}), divided = surface_of({0, 3});
+  TriMesh stretched = whole;
+  for (Vec3& point : stretched.points) {
+    point.x() *= 3;
+  }
+  int refused = 0;
+  for (int round = 0; round < 200; ++round) {
+    SCOPED_TRACE(round);
+    const auto volume = volume_unless_refused(joined(
+        {with_random_faces_turned(stretched, random), with_random_faces_turned(divided, random)}));
+    EXPECT_EQ(volume.value_or(3), 3);
+    refused += volume ? 0 : 1;
+  }
+  EXPECT_LT(refused, 20);
+}
+
+// In whichever way the three agree, and one is inside out.
+TEST(OverlappingShells, a_body_that_is_there_twice_beside_another_is_no_cavity) {
+  const TriMesh one = surface_of({0, 2}), beside = surface_of({2, 3});
+  for (std::uint32_t turns = 0; turns < 16; ++turns) {
+    SCOPED_TRACE(turns);
+    std::vector<TriMesh> bodies;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const TriMesh& body = i < 3 ? one : beside;
+      bodies.push_back((turns >> i & 1) != 0 ? reversed(body) : body);
+    }
+    EXPECT_EQ(repaired_volume(joined(bodies)), 3);
   }
 }
 

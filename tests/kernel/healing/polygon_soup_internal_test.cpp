@@ -30,7 +30,7 @@ TriMesh torn(const TriMesh& mesh, std::mt19937& random) {
 // The number of faces that are turned in the end.
 std::size_t orient(PolygonSoup& soup) {
   SettledCopies settled = settle_copies(soup);
-  turn_shells_outward(soup, settled.is_turned);
+  turn_shells_outward(soup, settled.is_paired, settled.is_turned);
   return static_cast<std::size_t>(std::ranges::count(settled.is_turned, 1));
 }
 

@@ -38,14 +38,16 @@ struct Repaired {
 /// shells, and where that leaves a choice, the exact angles around an edge tell which faces bound
 /// the same wedge, of material or inside out (the level of winding in the middle is read by the
 /// sign of the volume of all that hangs together, so that turning everything over changes nothing
-/// but where that is zero). One shell is around another if this is nowhere outside of it, though
+/// but where that is zero). What a shell that touches itself at edges winds around the other way
+/// than most is turned, too. One shell is around another if this is nowhere outside of it, though
 /// they may touch; not if they cross, or have the same faces. Points are taken in the order of
 /// their coordinates where faces do not agree: the order of faces and points does not matter for
 /// what is kept of meshes without degenerate faces.
 ///
 /// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (points that
 /// are not finite or out of range, bad indices or labels), Error{not_closed | not_oriented} where
-/// more would have to be guessed, and what unite() throws.
+/// more would have to be guessed, or a body would be lost that faces bound where the surface had to
+/// be closed or touches itself, and what unite() throws.
 [[nodiscard]] Repaired repair(const TriMesh& mesh, const Progress& progress = {});
 
 }  // namespace dupin
