@@ -19,6 +19,7 @@
 #include "certification/checked_claims.h"
 #include "certification/claim_work.h"
 #include "certification/mesh_claims.h"
+#include "certification/part_pairs.h"
 #include "certification/prove_fillet.h"
 #include "certification/prove_hub.h"
 #include "certification/prove_loop_clearance.h"
@@ -84,16 +85,6 @@ std::uint64_t work_of_parts(std::uint64_t work, std::size_t parts) {
 
 double default_distance(const Assembly& assembly, std::size_t parts) {
   return parts <= kFewParts ? 0 : 2 * assembly.tolerance;
-}
-
-std::vector<PartPair> all_pairs(std::uint32_t parts) {
-  std::vector<PartPair> pairs;
-  for (std::uint32_t i = 0; i < parts; ++i) {
-    for (std::uint32_t j = i + 1; j < parts; ++j) {
-      pairs.push_back({i, j});
-    }
-  }
-  return pairs;
 }
 
 // Arcs are not divided further than the leaves of the claim that their loop is regular.
@@ -380,7 +371,7 @@ class Certifier {
       result_.apart = 0;
       result_.axes.reset();
     }
-    pairs_ = pairs ? std::move(*pairs) : all_pairs(std::uint32_t(solids_.size()));
+    pairs_ = pairs ? std::move(*pairs) : certification::all_pairs(std::uint32_t(solids_.size()));
   }
 
   // Of many parts they would take all of the work: half of it is for the clearances.
@@ -401,7 +392,9 @@ class Certifier {
     tight_ = std::max(kLeastTight, kTightOfAll / std::max<std::size_t>(pairs_.size(), 1));
     const auto at_hubs = arms_and_hubs();
     result_.clearances.resize(pairs_.size());
-    for_each_claim(pairs_.size(), left_, [&](std::size_t i, ClaimWork& work) {
+    const auto order = certification::easiest_first(pairs_, result_.parts);
+    for_each_claim(order.size(), left_, [&](std::size_t turn, ClaimWork& work) {
+      const std::size_t i = order[turn];
       const PartPair& pair = pairs_[i];
       const auto [first, second] = pair;
       const bool is_at_hub = at_hubs.contains(pair);

@@ -9,6 +9,7 @@
 #include <gmpxx.h>
 
 #include "numbers/interval.h"
+#include "verification/jet.h"
 #include "verification/work.h"
 
 namespace dupin::verification {
@@ -137,6 +138,55 @@ inline Curve cross(const Curve& a, const Curve& b) {
 
 inline Curve derivative(const Curve& c) {
   return {derivative(c[0]), derivative(c[1]), derivative(c[2])};
+}
+
+[[nodiscard]] numbers::Interval enclosed(const mpq_class& value);
+
+/// A polynomial and its derivatives, ready to be enclosed.
+template <std::size_t count>
+class Enclosed {
+ public:
+  explicit Enclosed(Polynomial p) {
+    for (auto& coefficients : orders_) {
+      for (const mpq_class& c : p) {
+        coefficients.push_back(enclosed(c));
+      }
+      p = derivative(p);
+    }
+  }
+
+  [[nodiscard]] Jet<count> over(double from, double to) const {
+    Jet<count> result;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto coefficients = part(orders_[k], from, to);
+      result[k] = coefficients.front();
+      for (const Interval& c : coefficients) {
+        result[k] = hull(result[k], c);
+      }
+    }
+    return result;
+  }
+
+ private:
+  std::array<std::vector<Interval>, count> orders_;
+};
+
+template <std::size_t count>
+struct EnclosedCurve {
+  explicit EnclosedCurve(const Curve& c)
+      : coordinates{{Enclosed<count>(c[0]), Enclosed<count>(c[1]), Enclosed<count>(c[2])}} {}
+
+  [[nodiscard]] JetVec<count> over(double from, double to) const {
+    return {coordinates[0].over(from, to), coordinates[1].over(from, to),
+            coordinates[2].over(from, to)};
+  }
+
+  std::array<Enclosed<count>, 3> coordinates;
+};
+
+/// p - weight * point
+inline Polynomial about(const Polynomial& p, const Polynomial& weight, const mpq_class& point) {
+  return difference(p, product(weight, {point}));
 }
 
 }  // namespace dupin::verification

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -9,6 +10,9 @@
 #include "verification/tube.h"
 
 namespace dupin::verification {
+
+/// What a look at one costs: products and roots of jets.
+constexpr std::uint64_t kDiscWork = 16;
 
 /// A disc and how it moves, over a stretch of a piece's parameter: centre, unit normal and radius
 /// with two derivatives; and the rate of the length that `mesh` measures bands by.
@@ -52,5 +56,13 @@ using SphereMotion = std::function<std::optional<MovingSphere>(double from, doub
 /// With all first derivatives divided by the same positive function, so that they do not vanish
 /// where centre and normal come to rest at an end; the second ones have no meaning.
 [[nodiscard]] Motion steered_motion(const RationalRingedSurface& surface);
+
+template <std::size_t count>
+[[nodiscard]] JetVec<count> moved(JetVec<count> v, const IntervalVec& by) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k][0] = v[k][0] + by[k];
+  }
+  return v;
+}
 
 }  // namespace dupin::verification

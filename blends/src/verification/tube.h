@@ -52,8 +52,6 @@ class Tube {
   Polynomial weight_, radius_;
 };
 
-[[nodiscard]] Interval enclosed(const mpq_class& value);
-
 /// The largest value of x.w over the discs' points is below this.
 [[nodiscard]] double furthest(const Discs& discs, const IntervalVec& w);
 

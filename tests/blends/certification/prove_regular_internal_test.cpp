@@ -4,6 +4,7 @@
 
 #include "blends/tubes.h"
 #include "certification/prove_regular.h"
+#include "dupin/blends/cyclide_piece.h"
 #include "dupin/blends/cyclide_tube.h"
 
 namespace dupin::certification {
@@ -90,6 +91,15 @@ TEST(ProveRegular, looks_at_both_skins_of_a_hollow_chain) {
   Chain too_thick = cyclide_tube(torus, 0.5);
   too_thick.wall = 2.5;
   EXPECT_NE(prove_regular(too_thick, {}).verdict, Verdict::proved);
+}
+
+// An arm that flares towards its hub.
+TEST(ProveRegular, of_a_straight_piece_of_a_cyclide_takes_few_leaves) {
+  const PeArc arc = PeArc::from({Vec3::Zero(), 2}, {Vec3::UnitX(), 0}, {Vec3(5.4, 0, 0), 5.53});
+  const RegularClaim claim = prove_regular(Chain(cyclide_piece(arc)), {});
+  EXPECT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_LE(claim.leaves.size(), 4U);
+  expect_cover(claim, 1);
 }
 
 }  // namespace

@@ -260,5 +260,24 @@ TEST(Motion, of_a_straight_piece_of_a_cyclide_does_not_turn) {
   EXPECT_GT(numbers::dot(part(disc->center, 1), part(disc->normal, 0)).lower, .1);
 }
 
+// An arm that flares towards its hub: its circles advance, which few looks show, and likewise of
+// the inner skin.
+TEST(Motion, of_a_straight_piece_of_a_cyclide_advances_all_along) {
+  const Vec3 along = Vec3(1, 2, -.3).normalized();
+  const PeArc arc =
+      PeArc::from(test::sphere(0, 0, 0, 2), test::direction(along, 0), {5.4 * along, 5.53});
+  const CyclidePiece piece = test::cyclide_piece(arc);
+  for (const double wall : {0., .5}) {
+    for (int i = 0; i < 4; ++i) {
+      const auto disc = motion(piece, wall)(i / 4., (i + 1) / 4.);
+      ASSERT_TRUE(disc);
+      EXPECT_GT(numbers::dot(part(disc->center, 1), part(disc->normal, 0)).lower, 0)
+          << wall << " " << i;
+    }
+  }
+  expect_encloses(motion(piece, 0), discs_of(arc));
+  expect_encloses(motion(piece, .5), discs_of(offset(arc, -.5)));
+}
+
 }  // namespace
 }  // namespace dupin::verification

@@ -138,7 +138,9 @@ TEST(Piece, of_a_cyclide_has_discs_within_the_spread_of_their_normals) {
 }
 
 TEST(Piece, has_no_discs_where_only_its_middle_is_known) {
-  const Piece piece(test::cyclide_piece(bent_arc()), 0);
+  const PeArc half_turn = PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3::UnitY(), 0),
+                                      test::sphere(-4, .5, 0, .8));
+  const Piece piece(test::cyclide_piece(half_turn), 0);
   ASSERT_TRUE(piece.motion(.5, .5));
   ASSERT_FALSE(piece.motion(0, 1));
   EXPECT_FALSE(discs_of(piece, {0, 1}));
