@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +27,9 @@ auto blaming(const std::string& name, const Function& function) {
 }  // namespace
 
 bool Input::is_document() const {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const std::size_t mark = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n", mark);
   return first != std::string::npos && bytes[first] == '{';
 }
 

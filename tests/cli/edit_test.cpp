@@ -122,6 +122,30 @@ TEST_F(Edit, edits_the_chain_that_is_named) {
                             "turned": []})"));
 }
 
+TEST_F(Edit, edits_a_chain_in_an_entry_with_parts) {
+  std::string text = kTwoChains;
+  const std::string head = R"("parts": [)";
+  text.insert(text.find(head) + head.size(), "{" + head);
+  text.insert(text.rfind("]}"), "]}");
+  folder_.write("two.json", text);
+  const ProcessResult result =
+      dupin({"edit", "two.json", "--part", "b", "--move", "2=4,9.5,0,1", "-o", "new.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(dupin({"build", "new.json", "-o", "new.stl", "-q"}).exit_code, 0);
+}
+
+// Editors write one, and no command may take the document for something else.
+TEST_F(Edit, every_command_takes_a_document_with_a_byte_order_mark) {
+  folder_.write("two.json", std::string("\xEF\xBB\xBF") + kTwoChains);
+  for (const char* line :
+       {"edit two.json --part b --move 2=4,9.5,0,1 -o new.json", "info new.json",
+        "edit new.json --translate 1,0,0 -o placed.json", "gaps placed.json", "bom placed.json",
+        "report placed.json -o page.html", "build placed.json -o out.stl"}) {
+    const ProcessResult result = shell(std::string("dupin -q ") + line);
+    EXPECT_EQ(result.exit_code, 0) << line << result.err;
+  }
+}
+
 TEST_F(Edit, says_how_far_a_sphere_can_go) {
   const std::string hook = example("crane-hook.json");
   const auto refused = [&](const std::string& move, std::vector<std::string> more) {

@@ -20,6 +20,8 @@ Input off(const std::string& name, const TriMesh& mesh, const std::string& unit 
 
 TEST(Input, is_a_document_if_it_begins_with_a_brace) {
   EXPECT_TRUE((Input{" \r\n\t{}", "a"}).is_document());
+  EXPECT_TRUE((Input{"\xEF\xBB\xBF\n{}", "a"}).is_document());
+  EXPECT_FALSE((Input{"\xEF\xBB\xBF", "a"}).is_document());
   EXPECT_FALSE((Input{"OFF {", "a"}).is_document());
   EXPECT_FALSE((Input{" ", "a"}).is_document());
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/split_points.h"
+#include "text/byte_order_mark.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
 #include "text/text_scanner.h"
@@ -120,7 +121,8 @@ Evidence recognise(std::string_view bytes) {
   scanner.skip_space();
   const bool is_obj =
       scanner.take("v") || scanner.take("o") || scanner.take("g") || scanner.take("mtllib");
-  const bool is_our_empty_set = bytes.starts_with("# dupin") && scanner.at_end();
+  const bool is_our_empty_set =
+      bytes.substr(text::byte_order_mark(bytes)).starts_with("# dupin") && scanner.at_end();
   return is_obj || is_our_empty_set ? Evidence::first_word : Evidence::none;
 }
 

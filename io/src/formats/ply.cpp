@@ -14,6 +14,7 @@
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
+#include "text/byte_order_mark.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -348,8 +349,9 @@ void append_vertex(std::string& text, const Vertices& vertices, std::size_t vert
 
 /// The reader tells the encodings apart.
 Evidence recognise(std::string_view bytes) {
-  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") ? Evidence::signature
-                                                                  : Evidence::none;
+  const std::string_view text = bytes.substr(text::byte_order_mark(bytes));
+  return text.starts_with("ply\n") || text.starts_with("ply\r") ? Evidence::signature
+                                                                : Evidence::none;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "dupin/kernel/error.h"
+#include "text/byte_order_mark.h"
 #include "text/line_counter.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
@@ -81,7 +82,7 @@ bool is_number(const std::string& word) {
 
 // Of the first line that says something.
 GraphFormat format_of_text(std::string_view text) {
-  std::istringstream lines{std::string(text.substr(0, kFirstLines))};
+  std::istringstream lines{std::string(text.substr(text::byte_order_mark(text), kFirstLines))};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     const std::vector<std::string> all{std::istream_iterator<std::string>(words), {}};

@@ -10,6 +10,7 @@
 #include "json/certificate_seal.h"
 #include "json/json_document.h"
 #include "json/json_lists.h"
+#include "text/byte_order_mark.h"
 
 namespace dupin {
 namespace {
@@ -251,7 +252,7 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
   if (root.at("format").text() != json::kCertificateFormat) {
     root.at("format").fail("must be '" + std::string(json::kCertificateFormat) + "'");
   }
-  if (!json::has_seal(text)) {
+  if (!json::has_seal(text.substr(text::byte_order_mark(text)))) {
     root.at("sha256").fail("does not belong to this text: the certificate was changed");
   }
   Certificate result;

@@ -1,6 +1,7 @@
 #include "dupin/io/edit_json.h"
 
 #include <charconv>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -14,8 +15,6 @@ namespace {
 
 using json::Json;
 using json::JsonStep;
-
-constexpr std::string_view kParts = "/parts/";
 
 std::string text_of(const PeVector& v) {
   std::string result = "[";
@@ -42,19 +41,37 @@ const Json& value_at(const Json& document, const std::vector<JsonStep>& steps) {
   return *value;
 }
 
-// Where the part stands; copies stand nowhere of their own.
+// The keys and indices of "/parts/0/parts/1", which the reader wrote: keys have no escapes.
+std::vector<JsonStep> steps_of(std::string_view pointer) {
+  std::vector<JsonStep> steps;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    const std::string_view step = pointer.substr(0, pointer.find('/'));
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+    if (error == std::errc() && end == step.data() + step.size()) {
+      steps.emplace_back(index);
+    } else {
+      steps.emplace_back(std::string(step));
+    }
+    pointer.remove_prefix(step.size());
+  }
+  return steps;
+}
+
+// Where the part stands, maybe in an entry with parts of its own; copies, also those that an entry
+// around makes, stand nowhere of their own.
 std::vector<JsonStep> steps_to(const Json& document, const Assembly& assembly, std::uint32_t part) {
   const std::string& pointer = assembly.parts.at(part).pointer;
-  std::size_t index = part;
-  if (!pointer.empty()) {
-    const std::string_view digits = std::string_view(pointer).substr(kParts.size());
-    std::from_chars(digits.data(), digits.data() + digits.size(), index);  // the reader's own
+  const std::vector<JsonStep> steps =
+      steps_of(pointer.empty() ? "/parts/" + std::to_string(part) : pointer);
+  for (auto end = steps.begin(); end != steps.end();) {
+    if (value_at(document, {steps.begin(), ++end}).contains("for")) {
+      throw Error(Errc::invalid_argument, "a copy that \"for\" makes cannot be changed alone",
+                  assembly.parts[part].name, document_place(assembly, part));
+    }
   }
-  if (document.at("parts").at(index).contains("for")) {
-    throw Error(Errc::invalid_argument, "a copy that \"for\" makes cannot be changed alone",
-                assembly.parts[part].name, document_place(assembly, part));
-  }
-  return {std::string("parts"), index};
+  return steps;
 }
 
 }  // namespace

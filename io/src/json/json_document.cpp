@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dupin/kernel/parallel.h"
+#include "text/byte_order_mark.h"
 #include "text/json_depth.h"
 #include "text/text_scanner.h"
 
@@ -116,9 +117,8 @@ class RepeatedKeys : public nlohmann::json_sax<Json> {
 
 // Another kind of file, of whose brackets and columns nobody wants to hear.
 void require_start(std::string_view text, const std::string& source) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kSpaces = " \t\r\n";
-  const std::size_t mark = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  const std::size_t first = text.find_first_not_of(kSpaces, mark);
+  constexpr std::string_view kSpaces = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kSpaces, dupin::text::byte_order_mark(text));
   if (first == std::string_view::npos) {
     return;  // nothing at all, which the parser says
   }
@@ -130,6 +130,15 @@ void require_start(std::string_view text, const std::string& source) {
                 "found " + dupin::text::quoted(rest.substr(0, 16)) +
                     " at the start, expected a document, which is JSON and begins with '{'",
                 {}, source + ":" + line_and_column(text, first + 1));
+  }
+}
+
+// The parser takes one for the text's end, whatever is behind it.
+void require_no_nul(std::string_view text, const std::string& source) {
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos) {
+    throw Error(Errc::parse_failed, "found a NUL byte behind the document, expected its end", {},
+                source + ":" + line_and_column(text, nul + 1));
   }
 }
 
@@ -175,6 +184,7 @@ Json parse_json(std::string_view text, const std::string& source) {
       result = parsed(text, source);
     }
   });
+  require_no_nul(text, source);
   return result;
 }
 

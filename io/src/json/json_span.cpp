@@ -1,13 +1,16 @@
 #include "json/json_span.h"
 
 #include "json/json_document.h"
+#include "text/byte_order_mark.h"
 
 namespace dupin::json {
 namespace {
 
 class Scanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) { skip_space(); }
+  explicit Scanner(std::string_view text) : text_(text), at_(dupin::text::byte_order_mark(text)) {
+    skip_space();
+  }
 
   [[nodiscard]] std::size_t position() const { return at_; }
 
@@ -81,7 +84,7 @@ class Scanner {
   }
 
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "dupin/io/assembly_json.h"
 #include "json/expansion.h"
 #include "json/json_document.h"
+#include "text/byte_order_mark.h"
 
 namespace dupin {
 namespace {
@@ -91,6 +92,7 @@ class Rewriter {
   }
 
   PlacedDocument rewritten() && {
+    copy_to(text::byte_order_mark(text_));
     copy_space();
     value(Meaning::other);
     copy_space();
@@ -279,7 +281,8 @@ PlacedDocument placed_document(std::string_view text, const std::string& source,
   const Assembly assembly = parse_assembly(text, source);
   std::ranges::for_each(assembly.parts, refuse_meshes);
   if (json::is_abbreviated(Json::parse(text))) {  // an expression cannot say the nearest double
-    const std::string in_full = document_text(assembly);
+    const std::string in_full =
+        std::string(text.substr(0, text::byte_order_mark(text))) + document_text(assembly);
     return Rewriter(in_full, placement).rewritten();
   }
   return Rewriter(text, placement).rewritten();

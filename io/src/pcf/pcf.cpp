@@ -11,6 +11,7 @@
 #include "pcf/bores.h"
 #include "pcf/nominal_pipe.h"
 #include "pcf/records.h"
+#include "text/byte_order_mark.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
 
@@ -415,7 +416,7 @@ bool is_pcf_file(const std::filesystem::path& file) {
 }
 
 bool is_pcf_text(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const std::size_t first = text.find_first_not_of(" \t\r\n", text::byte_order_mark(text));
   return first != std::string_view::npos && text[first] != '{' &&
          std::ranges::any_of(pcf::records(text), [](const Record& record) {
            return record.head.keyword.starts_with("UNITS-");

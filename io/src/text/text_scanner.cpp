@@ -6,16 +6,13 @@
 #include <system_error>
 
 #include "dupin/kernel/error.h"
+#include "text/byte_order_mark.h"
 #include "text/line_counter.h"
 #include "text/lower_case.h"
 
 namespace dupin::text {
 TextScanner::TextScanner(std::string_view bytes, std::string_view file, char comment)
-    : bytes_(bytes), file_(file), comment_(comment) {
-  if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") {
-    position_ = 3;
-  }
-}
+    : bytes_(bytes), file_(file), position_(byte_order_mark(bytes)), comment_(comment) {}
 
 void TextScanner::skip_all_blanks() {
   while (position_ < bytes_.size() && is_blank(bytes_[position_])) {

@@ -9,11 +9,13 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/glb.h"
+#include "dupin/io/msh.h"
 #include "dupin/io/obj.h"
 #include "dupin/io/off.h"
 #include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
 #include "dupin/io/three_mf.h"
+#include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
 #include "support/known_extensions.h"
 #include "support/sample_meshes.h"
@@ -29,6 +31,22 @@ TEST_F(MeshFile, the_content_tells_the_format) {
     const std::string bytes = mesh_bytes(test::tetrahedron(), format);
     for (const std::string file : {"-", "x.off", "x.stl", "x.xyz"}) {
       EXPECT_EQ(read_mesh(bytes, file).triangles.size(), 4U) << format.name << " in " << file;
+    }
+  }
+}
+
+TEST_F(MeshFile, texts_may_begin_with_a_byte_order_mark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const MeshFormat& format :
+       {kOff, kStlAscii, kPlyAscii, kPlyBinary, kObj, kVtp, kMshSurface}) {
+    for (const TriMesh& mesh : {test::tetrahedron(), TriMesh()}) {
+      const std::string bytes = mesh_bytes(mesh, format, {"in", {}});
+      const MeshFormat* const told = format_of_content(mark + bytes, "-");
+      ASSERT_NE(told, nullptr) << format.name;
+      EXPECT_EQ(told->read, format.read) << format.name;
+      EXPECT_EQ(read_mesh(mark + bytes, "-").triangles, read_mesh(bytes, "-").triangles)
+          << format.name;
+      EXPECT_EQ(mesh_unit(mark + bytes, "-"), mesh_unit(bytes, "-")) << format.name;
     }
   }
 }

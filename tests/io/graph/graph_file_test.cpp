@@ -25,6 +25,7 @@ TEST(GraphFile, is_told_by_its_extension) {
 TEST(GraphFile, is_told_by_its_first_line_where_it_has_no_name) {
   EXPECT_TRUE(is_graph_text("# a tree\n\n 1 3 0 0 0 1.5 -1\n"));
   EXPECT_TRUE(is_graph_text("n 0 0 0\n"));
+  EXPECT_TRUE(is_graph_text("\xEF\xBB\xBFn 0 0 0\n"));
   EXPECT_TRUE(is_graph_text("n 0 0 0 2 # with a radius\n"));
   EXPECT_TRUE(is_graph_text("c 0 1\nn 0 0 0\n"));
   for (const std::string text :

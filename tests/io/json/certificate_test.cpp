@@ -114,6 +114,7 @@ TEST(Certificate, is_the_same_document_every_time_and_after_reading) {
   const std::string text = certificate_json(reducer());
   EXPECT_EQ(certificate_json(certify(example("reducer.json"))), text);
   EXPECT_EQ(certificate_json(parse_certificate(text)), text);
+  EXPECT_EQ(certificate_json(parse_certificate("\xEF\xBB\xBF" + text)), text);
 }
 
 TEST(Certificate, of_every_example_is_proved_and_verified) {

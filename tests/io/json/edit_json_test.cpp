@@ -17,6 +17,7 @@
 #include "dupin/io/atomic_file.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/message_of.h"
 #include "support/source_folder.h"
 
 namespace dupin {
@@ -104,6 +105,42 @@ TEST(EditJson, finds_values_behind_brackets_in_strings) {
   EXPECT_THAT(edited, testing::HasSubstr("[[0,0,0,1], [2,0,0,1],[4.0, 1.0, 0.0, 1.0]], "
                                          "\"tangents\": [{\"sphere\": 0, \"tangent\": "));
   EXPECT_THAT(edited, testing::StartsWith(R"({"comment": "]}\\\"[", "units")"));
+}
+
+/// A chain in an entry with parts, in another one; `loop` stands in the outer one.
+std::string in_groups(const std::string& loop) {
+  return R"({"units": "mm", "tolerance": 1, "parts": [
+  {"name": "first", "sphere": {"center": [0,0,9], "radius": 1}},
+  {"comment": "outer", )" +
+         loop + R"("parts": [{"name": "a", "sphere": {"center": [0,0,19], "radius": 1}},
+    {"parts": [{"name": "b", "cyclide_chain": {"spheres": [[0,0,0,1], [2,0,0,1],[4,0,0,1]]}}]}]}]})";
+}
+
+TEST(EditJson, finds_a_chain_in_an_entry_with_parts) {
+  const std::string text = in_groups("");
+  const auto chain = move_sphere(parse_assembly(text), 2, 2, sphere(4, 1, 0, 1));
+  const std::string edited = with_chain(text, {}, 2, chain);
+  const std::size_t at = text.find("[4,0,0,1]");
+  EXPECT_EQ(edited.substr(0, at), text.substr(0, at));
+  EXPECT_THAT(edited.substr(at), testing::StartsWith("[4.0, 1.0, 0.0, 1.0]], \"tangents\": [{"));
+  EXPECT_THAT(edited, testing::EndsWith("}]}}]}]}]}"));
+  EXPECT_EQ(std::get<CyclideChainThrough>(parse_assembly(edited).parts.at(2).shape).spheres[2],
+            sphere(4, 1, 0, 1));
+}
+
+TEST(EditJson, refuses_a_chain_that_an_entry_around_it_copies) {
+  const std::string text = in_groups(R"("for": {"i": 1}, )");
+  const Assembly assembly = parse_assembly(text, "d.json");
+  const auto chain = move_sphere(assembly, 2, 2, sphere(4, 1, 0, 1));
+  EXPECT_EQ(
+      test::message_of([&] { (void)with_chain(text, "d.json", 2, chain); }, Errc::invalid_argument),
+      "d.json#/parts/1/parts/1/parts/0: 'b': a copy that \"for\" makes cannot be changed alone");
+}
+
+TEST(EditJson, keeps_a_byte_order_mark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const PeVector to = sphere(1.1, 2.5, .2, .8);
+  EXPECT_EQ(moved(mark + hook(), 4, to), mark + moved(hook(), 4, to));
 }
 
 TEST(EditJson, twisting_turns_what_follows) {

@@ -19,6 +19,14 @@ TEST(JsonDocument, text_that_is_no_json_is_refused_with_line_and_column) {
   EXPECT_EQ(message_of([] { (void)parse_json("", "d").size(); }).substr(0, 6), "d:1:1:");
 }
 
+TEST(JsonDocument, a_nul_byte_is_no_end) {
+  for (const std::string behind : {"", "\n", " {"}) {
+    const std::string text = std::string("{\"a\":\n 1}") + '\0' + behind;
+    EXPECT_EQ(message_of([&] { (void)parse_json(text, "d").size(); }),
+              "d:2:4: found a NUL byte behind the document, expected its end");
+  }
+}
+
 TEST(JsonDocument, a_key_that_occurs_twice_is_refused_with_its_pointer) {
   EXPECT_EQ(
       message_of([] { (void)parse_json(R"({"a": [{}, {"b/c": 1, "b/c": 2}]})", "d").size(); }),

@@ -58,6 +58,18 @@ TEST(PlaceJson, changes_numbers_by_their_meaning_and_no_other_character) {
   EXPECT_EQ(placed_document(text, "d.json", Placement()).text, text);
 }
 
+TEST(PlaceJson, keeps_a_byte_order_mark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  Placement placement;
+  placement.translate(Vec3(0.5, 0, 0));
+  for (const std::string x : {"1", "\"=1\""}) {
+    const std::string text = document(R"({"name": "a", "pipe": {"from": [)" + x +
+                                      R"(, 2, 3], "to": [1, 2, 9], "radius": 2}})");
+    EXPECT_EQ(placed_document(mark + text, "d.json", placement).text,
+              mark + placed_document(text, "d.json", placement).text);
+  }
+}
+
 TEST(PlaceJson, says_what_was_rounded) {
   const std::string text =
       document(R"({"name": "a", "sphere": {"center": [0.1, 0, 0], "radius": 1}})");

@@ -274,7 +274,9 @@ TEST(Pcf, reads_hundredths_and_sixteenths) {
 
 TEST(Pcf, is_told_by_a_line_of_units) {
   EXPECT_TRUE(is_pcf_text("ISOGEN-FILES x\n  units-bore MM\n"));
+  EXPECT_TRUE(is_pcf_text("\xEF\xBB\xBFUNITS-BORE MM\n"));
   EXPECT_FALSE(is_pcf_text("{\"units\": \"UNITS-BORE\"}"));
+  EXPECT_FALSE(is_pcf_text("\xEF\xBB\xBF{\nUNITS-BORE\n"));
   EXPECT_FALSE(is_pcf_text("solid UNITS-BORE\n"));
   EXPECT_FALSE(is_pcf_text(""));
 }
