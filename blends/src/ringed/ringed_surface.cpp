@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include <Eigen/Geometry>
 
@@ -12,12 +13,19 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The mean over the ring at t of |x_t x x_u| / R, by the trapezoid rule, which converges
-// geometrically for periodic analytic functions.
+// The mean over the ring at t of |x_t x x_u| / R. Closed forms, which are most of what pipes are
+// made of; else by the trapezoid rule, which converges geometrically for periodic analytic
+// functions.
 double mean_stretch(const SpinePoint& point, const RadiusValue& radius) {
   constexpr int kAngles = 256;
   const double speed = point.first.norm();
   const double turning = point.first.cross(point.second).norm() / (speed * speed);
+  if (turning == 0) {
+    return std::hypot(speed, radius.first);
+  }
+  if (radius.first == 0 && radius.value * turning <= speed) {
+    return speed;  // the cosine's mean is 0
+  }
   double sum = 0;
   for (int i = 0; i < kAngles; ++i) {
     const double theta = 2 * kPi * i / kAngles;
@@ -43,6 +51,11 @@ SurfacePoint evaluate(const RingedSurface& surface, const FrameField& frames, do
 }
 
 double area(const RingedSurface& surface) {
+  const auto* const line = std::get_if<LineSpine>(&surface.spine);
+  if (line != nullptr && is_linear(surface.radius)) {  // a cylinder or a cone
+    const double start = evaluate(surface.radius, 0).value, end = evaluate(surface.radius, 1).value;
+    return kPi * (start + end) * std::hypot((line->to - line->from).norm(), end - start);
+  }
   return 2 * kPi * numbers::integral([&](double t) {
            const RadiusValue radius = evaluate(surface.radius, t);
            return radius.value * mean_stretch(evaluate(surface.spine, t), radius);

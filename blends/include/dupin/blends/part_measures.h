@@ -32,9 +32,10 @@ struct PartMeasures {
   std::string missing;  ///< why there is none; empty if there is
 };
 
-/// Closed forms for balls, their joints, and the sections across; Gauss quadrature along the
-/// pieces, whose panels are doubled until nothing changes beyond 1e-12 of the integrals' size. A
-/// wall is not subtracted. Throws Error{limit_exceeded} where 64 panels do not reach 1e-9.
+/// Closed forms for cylinders, cones, balls, their joints, and the sections across; Gauss
+/// quadrature along the pieces, whose panels are doubled until nothing changes beyond 1e-12 of the
+/// integrals' size. A wall is not subtracted. Throws Error{limit_exceeded} where 64 panels do not
+/// reach 1e-9.
 [[nodiscard]] PartMeasures measures(const PartSurface& surface);
 
 }  // namespace dupin

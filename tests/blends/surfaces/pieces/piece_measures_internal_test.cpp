@@ -37,6 +37,28 @@ TEST(CutBall, and_what_was_cut_off_are_the_ball) {
   EXPECT_LT((sum.spread - whole.spread).norm(), 1e-11);
 }
 
+// Of the same surface, told by curves, it is done by quadrature with ever more panels.
+TEST(PieceMeasures, of_cylinders_and_cones_are_those_of_quadrature) {
+  const Vec3 from(100, -20, 3), to(104, -17, 15);
+  const Vec3 along = (to - from).normalized();
+  for (const double tip : {2.0, 0.5, 7.0}) {
+    const Ring start{from, -along, 2, 0}, end{to, along, tip, 0};
+    const PartMeasures closed =
+        measures(Piece(RingedSurface{start, end, LineSpine{from, to}, LinearRadius{2, tip}}));
+    const PartMeasures found =
+        measures(Piece(RingedSurface{start, end, BezierSpine{{from, (from + to) / 2, to}},
+                                     BezierRadius{{2, (2 + tip) / 2, tip}}}));
+    EXPECT_NEAR(*closed.length, 13, 1e-13);
+    EXPECT_NEAR(closed.area / (pi * (2 + tip) * std::hypot(13, tip - 2)), 1, 1e-15);
+    EXPECT_NEAR(closed.area / found.area, 1, 1e-13);
+    EXPECT_NEAR(closed.solid->volume / (pi * 13 / 3 * (4 + 2 * tip + tip * tip)), 1, 1e-15);
+    EXPECT_NEAR(closed.solid->volume / found.solid->volume, 1, 1e-13);
+    EXPECT_LT((closed.solid->centroid - found.solid->centroid).norm(), 1e-12);
+    EXPECT_LT((closed.solid->spread - found.solid->spread).norm(),
+              1e-13 * found.solid->spread.norm());
+  }
+}
+
 // A knuckle of which a thick wall leaves little: the turning of its spine is all rounding, which
 // was taken for what 64 panels do not reach.
 TEST(PieceMeasures, of_a_short_wide_piece_far_away_are_those_of_its_cylinder) {
