@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/volume_points.h"
@@ -17,10 +18,10 @@ std::size_t volume_group(const TriMesh& surface) {
   return (surface.labels.empty() ? 0 : surface.names.size()) + 1;
 }
 
-std::string quoted_name(const std::string& name) {
+std::string without_quotes(std::string_view name) {
   std::string result = text::clean_line(name);
   std::ranges::replace(result, '"', '\'');  // there is no way to write it
-  return '"' + result + '"';
+  return result;
 }
 
 /// Format, names and nodes: `points`, those of the mesh and, of a volume, others.
@@ -31,12 +32,13 @@ std::string text_before_elements(const TriMesh& mesh, const std::vector<Vec3>& p
   const std::size_t labels = mesh.labels.empty() ? 0 : mesh.names.size();
   if (labels + (has_volume ? 1 : 0) > 0) {
     text += "$PhysicalNames\n" + std::to_string(labels + (has_volume ? 1 : 0)) + '\n';
+    const std::vector<std::string> names = text::written_names(mesh.names, without_quotes);
     for (std::size_t i = 0; i < labels; ++i) {
-      text += "2 " + std::to_string(i + 1) + ' ' + quoted_name(mesh.names[i]) + '\n';
+      text += "2 " + std::to_string(i + 1) + " \"" + names[i] + "\"\n";
     }
     if (has_volume) {
-      text += "3 " + std::to_string(volume_group(mesh)) + ' ' +
-              quoted_name(header.name.empty() ? "volume" : header.name) + '\n';
+      text += "3 " + std::to_string(volume_group(mesh)) + " \"" +
+              without_quotes(header.name.empty() ? "volume" : header.name) + "\"\n";
     }
     text += "$EndPhysicalNames\n";
   }

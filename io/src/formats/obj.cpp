@@ -212,9 +212,10 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   }
   append_normals(text, shaded.normals);
   const auto groups = text::triangles_by_label(mesh);
+  const std::vector<std::string> names = text::written_names(mesh.names);
   for (std::size_t group = 0; group < groups.size(); ++group) {
     if (!mesh.labels.empty() && !groups[group].empty()) {
-      text += "g " + text::clean_line(mesh.names[group]) + '\n';
+      text += "g " + names[group] + '\n';
     }
     for (const std::uint32_t index : groups[group]) {
       append_face(text, mesh.triangles[index],

@@ -149,9 +149,9 @@ std::string stl_ascii_text(const TriMesh& mesh) {
   std::string text;
   text.reserve(mesh.triangles.size() * 250 + 256);
   const auto groups = text::triangles_by_label(mesh);
+  const std::vector<std::string> names = text::written_names(mesh.names);
   for (std::size_t group = 0; group < groups.size(); ++group) {
-    const std::string name =
-        mesh.labels.empty() ? std::string() : text::clean_line(mesh.names[group]);
+    const std::string name = mesh.labels.empty() ? std::string() : names[group];
     if (groups[group].empty() && !mesh.labels.empty()) {
       continue;
     }

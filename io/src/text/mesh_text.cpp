@@ -109,6 +109,27 @@ std::string clean_line(std::string_view text) {
                                     : clean.substr(begin, clean.find_last_not_of(' ') + 1 - begin);
 }
 
+std::vector<std::string> written_names(const std::vector<std::string>& names,
+                                       std::string (*line)(std::string_view)) {
+  std::vector<std::string> written;
+  written.reserve(names.size());
+  std::map<std::string, std::string, std::less<>> name_of;  // that is written so
+  for (const std::string& name : names) {
+    written.push_back(line(name));
+    if (written.back() == name) {
+      name_of.emplace(name, name);
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string plain = written[i];
+    for (int number = 2; name_of.emplace(written[i], names[i]).first->second != names[i];
+         ++number) {
+      written[i] = plain + (plain.empty() ? "(" : " (") + std::to_string(number) + ")";
+    }
+  }
+  return written;
+}
+
 std::string header_lines(const MeshHeader& header, std::string_view prefix) {
   std::string text = std::string(prefix) + "dupin\n";
   if (!header.unit.empty()) {

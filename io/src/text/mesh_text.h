@@ -46,6 +46,12 @@ void append_point(std::string& text, const Vector& point) {
 /// characters become spaces, no blanks around it.
 [[nodiscard]] std::string clean_line(std::string_view text);
 
+/// The names as `line` writes them, in formats whose readers know labels by their names: of
+/// different names that would be written alike, all but one have a number behind them, "a'b (2)".
+/// That one is written as it is, or else the first.
+[[nodiscard]] std::vector<std::string> written_names(
+    const std::vector<std::string>& names, std::string (*line)(std::string_view) = clean_line);
+
 /// Comment lines that name the writer, the unit and the note, each behind `prefix`.
 [[nodiscard]] std::string header_lines(const MeshHeader& header, std::string_view prefix);
 

@@ -36,6 +36,16 @@ TEST(Msh, labels_are_physical_surfaces) {
       testing::HasSubstr("$Elements\n4\n1 2 2 1 1 1 3 2\n2 2 2 1 1 1 2 4\n3 2 2 2 2 1 4 3\n"));
 }
 
+// There is no way to write a quote: two patches became one.
+TEST(Msh, patches_keep_apart_whose_names_differ_in_quotes) {
+  TriMesh mesh = test::labelled_tetrahedron();
+  mesh.names = {"a\"b", "a'b"};
+  EXPECT_THAT(msh_text(mesh), testing::HasSubstr("\n2 1 \"a'b (2)\"\n2 2 \"a'b\"\n"));
+  const TriMesh read = read_msh(msh_text(mesh), "x.msh");
+  EXPECT_EQ(read.labels, mesh.labels);
+  EXPECT_EQ(read.names, (std::vector<std::string>{"a'b (2)", "a'b"}));
+}
+
 TEST(Msh, takes_what_gmsh_puts_beside_a_surface) {
   const TriMesh mesh = read_msh(kHead +
                                     "$PhysicalNames\n2\n1 5 \"an edge\"\n2 5 "

@@ -71,6 +71,16 @@ TEST(MeshText, lines_are_valid_utf8_without_control_characters) {
   }
 }
 
+TEST(MeshText, names_that_would_be_written_alike_have_numbers) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(written_names({"a\tb", "a\nb", "a b", "c", "c"}),
+            (Names{"a b (2)", "a b (3)", "a b", "c", "c"}))
+      << "equal names stay so";
+  EXPECT_EQ(written_names({"a\tb", "a\nb", "a b (2)"}), (Names{"a b", "a b (3)", "a b (2)"}));
+  EXPECT_EQ(written_names({"", "\t", "\n", "\t"}), (Names{"", "(2)", "(3)", "(2)"}));
+  EXPECT_EQ(written_names({}), Names());
+}
+
 TEST(MeshText, header_lines_state_writer_unit_and_note) {
   EXPECT_EQ(header_lines({}, "# "), "# dupin\n");
   EXPECT_EQ(header_lines({"mm", "moved\nby 1"}, "# "), "# dupin\n# unit: mm\n# moved by 1\n");

@@ -22,8 +22,10 @@ namespace dupin {
 [[nodiscard]] TriMesh read_msh(std::string_view bytes, std::string_view file);
 
 /// MSH 2.2 in text, with the shortest decimals that read back to the same doubles; each label is a
-/// physical surface and an elementary one of its own. Unit and note are in a section `$Comments`.
-/// Throws Error{invalid_argument} for a non-finite point or a bad index.
+/// physical surface and an elementary one of its own. Names cannot hold `"`, which is written as
+/// `'`; of names that are alike then, all but one have a number behind them, "a'b (2)". Unit and
+/// note are in a section `$Comments`. Throws Error{invalid_argument} for a non-finite point or a
+/// bad index.
 [[nodiscard]] std::string msh_text(const TriMesh& mesh, const MeshHeader& header = {});
 
 /// Reads tetrahedra of the first order, and the surface with them.
