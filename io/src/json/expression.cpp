@@ -18,6 +18,8 @@ constexpr int kDeepest = 32;  // parentheses and signs
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+constexpr std::string_view kSpaces = " \t\n\r";
+
 /// Reads one expression, which ends at the end of the text or at `closing`.
 class Parser {
  public:
@@ -162,11 +164,7 @@ class Parser {
     return text_.substr(begin, at_ - begin);
   }
 
-  void skip_space() {
-    while (at_ < text_.size() && text_[at_] == ' ') {
-      ++at_;
-    }
-  }
+  void skip_space() { at_ = std::min(text_.find_first_not_of(kSpaces, at_), text_.size()); }
 
   const JsonNode& node_;
   std::string_view full_, text_;  ///< as typed, and up to its end
@@ -245,7 +243,7 @@ std::optional<double> quantity(std::string_view text, Unit unit) {
     return std::nullopt;
   }
   std::string_view name(rest, static_cast<std::size_t>(end - rest));
-  name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+  name.remove_prefix(std::min(name.find_first_not_of(kSpaces), name.size()));
   const auto own = unit_called(name);
   const double length = own ? value * millimetres(*own) / millimetres(unit) : 0;
   return own && std::isfinite(length) ? std::optional(length) : std::nullopt;

@@ -35,6 +35,14 @@ TEST(Expression, follows_the_rules_of_arithmetic) {
   EXPECT_EQ(number_of("=.5e1 + +1"), 6);
 }
 
+TEST(Expression, may_have_white_space_of_any_kind_between_its_words) {
+  EXPECT_EQ(number_of("=1+\t2"), 3);
+  EXPECT_EQ(number_of("=\r\n (1 +\n\t2)\t*\r3\n"), 9);
+  EXPECT_EQ(number_of("=2\tin"), 50.8);
+  EXPECT_EQ(value_of("=\tlist\n"), Json::array({1, 2}));
+  EXPECT_EQ(quantity("2\tin", Unit::millimetre), 50.8);
+}
+
 TEST(Expression, has_lengths_in_the_documents_unit) {
   EXPECT_EQ(number_of("=2 in"), 50.8);
   EXPECT_EQ(number_of("=1ft + 1 mm"), 305.8);
@@ -62,6 +70,7 @@ TEST(Expression, says_what_is_wrong_and_where) {
   const struct {
     std::string text, message;
   } rows[] = {
+      {"=\t", "in \"=\t\", column 3: a number, a name or ( is missing"},
       {"=", R"x(in "=", column 2: a number, a name or ( is missing)x"},
       {"=1+", R"x(in "=1+", column 4: a number, a name or ( is missing)x"},
       {"=1 2", R"x(in "=1 2", column 4: an operator + - * / is missing)x"},
