@@ -218,11 +218,20 @@ void verify_inputs(const Certificate& certificate) {
                std::all_of(certificate.axes->begin(), certificate.axes->end(), is_point)),
           "", "axes");
   std::set<std::string> names;
-  for (const CertifiedPart& part : certificate.parts) {
+  const auto says_back = [&](const EndIndex& own, const EndIndex& other) {
+    if (other.part >= certificate.parts.size() || other.part == own.part) {
+      return false;
+    }
+    const auto& back = certificate.parts[other.part].joined.at(at(other.end));
+    return back && back->part == own.part && back->end == own.end;
+  };
+  for (std::uint32_t i = 0; i < certificate.parts.size(); ++i) {
+    const CertifiedPart& part = certificate.parts[i];
     require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "",
             "name");  // of which nothing is repeated: it would be printed
-    for (const auto& joined : part.joined) {
-      require(!joined || joined->part < certificate.parts.size(), part.name, "joined");
+    for (const End end : {End::start, End::end}) {
+      const auto& joined = part.joined.at(at(end));
+      require(!joined || says_back({i, end}, *joined), part.name, "joined");
     }
   }
   for (const CertifiedFillet& fillet : certificate.fillets) {

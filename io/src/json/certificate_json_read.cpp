@@ -83,6 +83,27 @@ CertifiedPart part(const JsonNode& node, std::uint32_t parts) {
   return result;
 }
 
+// Of one joint, two ends of different parts say the same.
+void require_joints(const JsonNode& node, const std::vector<CertifiedPart>& parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const End end : {End::start, End::end}) {
+      const auto& other = parts[i].joined.at(at(end));
+      if (!other) {
+        continue;
+      }
+      const JsonNode place = node.at(i).at("joined").at(std::size_t(at(end)));
+      if (other->part == i) {
+        place.fail("must be an end of another part, not of this one");
+      }
+      const auto& back = parts[other->part].joined.at(at(other->end));
+      if (!back || back->part != i || back->end != end) {
+        place.fail("must be an end that is joined to this one, which part " +
+                   std::to_string(other->part) + " does not say");
+      }
+    }
+  }
+}
+
 template <class Element, class Read>
 std::array<Element, 2> two(const JsonNode& node, const Read& read) {
   if (node.require_array() != 2) {
@@ -263,6 +284,7 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
   const auto parts = std::uint32_t(root.at("parts").require_array());
   result.parts = list<CertifiedPart>(root.at("parts"),
                                      [=](const JsonNode& node) { return part(node, parts); });
+  require_joints(root.at("parts"), result.parts);
   if (root.has("fillets")) {
     result.fillets = list<CertifiedFillet>(
         root.at("fillets"), [&](const JsonNode& node) { return fillet(node, result.parts); });

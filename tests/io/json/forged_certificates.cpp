@@ -331,6 +331,18 @@ std::vector<Forgery> forgeries_of_pipes() {
          c.parts[part(c, "a")].joined[random() % 2] = EndIndex{part(c, "b"), ends[random() % 2]};
          separate(c, pair(c, "a", "b"), 0, random);
        }},
+      {"a ring that is joined to itself",
+       [](Certificate& c, const Truth&, Random& random) {
+         const std::size_t end = random() % 2;
+         const std::uint32_t own = part(c, "b");
+         c.parts[own].joined[end] = EndIndex{own, end == 0 ? End::start : End::end};
+       }},
+      {"a joint of which one side knows nothing",
+       [](Certificate& c, const Truth&, Random& random) {
+         (random() % 2 == 0 ? c.parts[part(c, "elbow")].joined[1]
+                            : c.parts[part(c, "on")].joined[0])
+             .reset();
+       }},
       {"a curve of a high degree",
        [](Certificate& c, const Truth&, Random& random) {
          BezierSpine spine;
