@@ -286,7 +286,11 @@ TEST(VerifyCertificate, of_junctions_is_about_their_hubs_and_arms) {
        {"itself", "arms", [=](Certificate& c) { c.junctions[0].arms[0] = hub; }},
        {"an arm that goes on", "arms",
         [=](Certificate& c) {
-          c.parts[arms[0]].joined[1] = EndIndex{3, End::start};
+          const auto free = std::ranges::find_if(c.parts, [&](const CertifiedPart& part) {
+            return &part != &c.parts[arms[0]] && !part.joined[1];
+          });
+          c.parts[arms[0]].joined[1] = EndIndex{std::uint32_t(free - c.parts.begin()), End::end};
+          free->joined[1] = EndIndex{arms[0], End::end};
         }},
        {"an arm in another's place", "caps",
         [=](Certificate& c) {

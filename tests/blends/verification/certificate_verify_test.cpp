@@ -37,12 +37,18 @@ PartClaims straight_claims() {
           MeshClaim{64, 0, {0, 1}, .01}};
 }
 
+// The end of the first part and the start of the second.
+void join(Certificate& c) {
+  c.parts[0].joined[1] = EndIndex{1, End::start};
+  c.parts[1].joined[0] = EndIndex{0, End::end};
+}
+
 // Two pipes that are joined, and a ball beside the second.
 Certificate certificate() {
   Certificate result;
   result.tolerance = .01;
   result.parts = {part("a", pipe({0, 0, 0}, {4, 0, 0})), part("b", pipe({4, 0, 0}, {8, 0, 0})), {}};
-  result.parts[0].joined[1] = EndIndex{1, {}};  // the start
+  join(result);
   result.parts[2].name = "ball";
   result.parts[2].shape = Sphere{Vec3(7, 5, 0), 1};
   result.claims = {straight_claims(), straight_claims(), {}};
@@ -98,7 +104,7 @@ TEST(VerifyCertificate, of_a_shape_without_proofs_takes_no_clearance) {
     EXPECT_NO_THROW(verify(c));
     for (const bool joined : {false, true}) {
       if (joined) {
-        c.parts[0].joined[1] = EndIndex{1, {}};
+        join(c);
         EXPECT_NO_THROW(verify(c));
       }
       Certificate lie = c;
@@ -254,6 +260,14 @@ INSTANTIATE_TEST_SUITE_P(
         Lie{"name_of_two_parts", "", "name", [](Certificate& c) { c.parts[0].name = "b"; }},
         Lie{"joined_to_none", "a", "joined",
             [](Certificate& c) { c.parts[0].joined[1]->part = 3; }},
+        Lie{"joined_to_itself", "a", "joined",
+            [](Certificate& c) {
+              c.parts[0].joined[0] = EndIndex{0, End::start};
+            }},
+        Lie{"joined_to_what_knows_nothing", "b", "joined",
+            [](Certificate& c) { c.parts[0].joined[1].reset(); }},
+        Lie{"joined_at_another_end", "a", "joined",
+            [](Certificate& c) { c.parts[1].joined[0]->end = End::start; }},
         Lie{"negative_tolerance", "", "tolerance", [](Certificate& c) { c.tolerance = -1; }},
         Lie{"document_of_two_lines", "", "document", [](Certificate& c) { c.document = "\n"; }},
         Lie{"margin_of_a_ball", "ball", "regular",
@@ -320,10 +334,11 @@ INSTANTIATE_TEST_SUITE_P(
             }},
         Lie{"joint_with_a_ball", "a", "joined",
             [](Certificate& c) {
-              c.parts[0].joined[0] = EndIndex{2, {}};
+              c.parts[0].joined[0] = EndIndex{2, End::start};
+              c.parts[2].joined[0] = EndIndex{0, End::start};
             }},
         Lie{"joint_that_is_none", "a", "clearance of b",
-            [](Certificate& c) { c.parts[0].joined[1].reset(); }},
+            [](Certificate& c) { c.parts[0].joined = c.parts[1].joined = {}; }},
         Lie{"distance", "a", "clearance of ball",
             [](Certificate& c) { c.clearances[1].distance = 3.5; }},
         Lie{"direction", "b", "clearance of ball",
@@ -378,7 +393,7 @@ TEST(VerifyCertificate, of_thin_parts_takes_none_that_turns_at_its_joint) {
   Certificate c;
   c.tolerance = .01;
   c.parts = {part("a", thin({0, 0, 0}, {4, 0, 0})), part("b", thin({4, 0, 0}, {8, 0, 0}))};
-  c.parts[0].joined[1] = EndIndex{1, {}};
+  join(c);
   c.claims = {straight_claims(), straight_claims()};
   c.clearances = {{0, 1, Verdict::proved, 0, {{{0, 1}, {0, 1}, {}}}, {}}};
   EXPECT_NO_THROW(verify(c));
