@@ -85,8 +85,11 @@ std::vector<std::uint32_t> places_of_sets(std::span<const Triangle> triangles,
 
 class ShellFinder {
  public:
-  ShellFinder(std::span<const Vec3> points, std::span<const Triangle> triangles)
-      : mesh_(points, triangles), edges_(triangles, points.size()), sets_(triangles.size()) {}
+  ShellFinder(std::span<const Vec3> points, std::span<const Triangle> triangles, Wedges wedges)
+      : mesh_(points, triangles),
+        edges_(triangles, points.size()),
+        sets_(triangles.size()),
+        wedges_(wedges) {}
 
   ClosedShells find() {
     join_simple_edges();
@@ -367,7 +370,8 @@ class ShellFinder {
       const std::uint32_t shell = all.of_face[open.half_edges.front() / 3];
       if (!is_negative[shell]) {
         const auto faces = support::selected(mesh_.triangles, all.faces_of(shell));
-        is_negative[shell] = mesh::volume_sign({mesh_.points, faces}) < 0;
+        is_negative[shell] =
+            (mesh::volume_sign({mesh_.points, faces}) < 0) == (wedges_ == Wedges::material);
       }
       join_wedges(open, *is_negative[shell]);
     }
@@ -473,6 +477,7 @@ class ShellFinder {
   mesh::MeshView mesh_;
   mesh::EdgeTable edges_;
   support::DisjointSets sets_;  // of faces
+  Wedges wedges_;
   std::vector<OpenEdge> open_;
   CopyRanks copies_;
   std::vector<std::uint32_t> places_;        // of points
@@ -481,8 +486,9 @@ class ShellFinder {
 
 }  // namespace
 
-ClosedShells closed_shells(std::span<const Vec3> points, std::span<const Triangle> triangles) {
-  return ShellFinder(points, triangles).find();
+ClosedShells closed_shells(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                           Wedges wedges) {
+  return ShellFinder(points, triangles, wedges).find();
 }
 
 }  // namespace dupin::healing

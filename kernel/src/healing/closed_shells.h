@@ -20,6 +20,9 @@ struct ClosedShells {
   std::vector<std::uint8_t> touches_itself;
 };
 
+/// What faces bound that are paired by angles.
+enum class Wedges : std::uint8_t { material, voids };
+
 /// Divides faces that run along each edge as often one way as the other into shells that do, too,
 /// however the faces are numbered. Copies of a face may belong to different shells.
 ///
@@ -33,10 +36,12 @@ struct ClosedShells {
 /// more often, below it of those that are less often, and at it likewise by the sign of the volume
 /// of all that hangs together, so that turning everything over changes nothing. What lies on each
 /// other there is in layers, the same at all edges. So what crosses itself along edges may become
-/// shells of which one is within the other, where others that cross would do as well.
+/// shells of which one is within the other, where others that cross would do as well. For voids,
+/// levels pair up the other way: what is wound around less often has a surface of its own.
 ///
 /// O(n), and O(n log n) where angles are needed.
 [[nodiscard]] ClosedShells closed_shells(std::span<const Vec3> points,
-                                         std::span<const Triangle> triangles);
+                                         std::span<const Triangle> triangles,
+                                         Wedges wedges = Wedges::material);
 
 }  // namespace dupin::healing

@@ -1,6 +1,7 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -8,8 +9,10 @@
 
 #include "arrangement/arrange.h"
 #include "healing/closed_shells.h"
+#include "healing/crossed_voids.h"
 #include "healing/shell_enclosure.h"
 #include "healing/shell_lobes.h"
+#include "healing/sorted_copies.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
@@ -22,6 +25,14 @@ void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
 using Faces = std::vector<std::uint32_t>;
 
+void turn_faces(PolygonSoup& soup, std::span<const std::uint32_t> faces,
+                std::vector<std::uint8_t>& is_turned) {
+  for (const std::uint32_t face : faces) {
+    turn(soup.triangles[face]);
+    is_turned[face] ^= 1;
+  }
+}
+
 std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shells) {
   std::vector<int> signs;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
@@ -32,17 +43,39 @@ std::vector<int> volume_signs(const PolygonSoup& soup, const mesh::Shells& shell
   return signs;
 }
 
+// Per face 1 if it is there the other way round, too.
+std::vector<std::uint8_t> find_turned_copies(std::span<const Triangle> triangles) {
+  std::vector<std::uint8_t> found(triangles.size(), 0);
+  const std::vector<Copy> sorted = sorted_copies(triangles);
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    const auto end = std::find_if(begin, sorted.end(),
+                                  [&](const Copy& copy) { return copy.corners != begin->corners; });
+    const auto odd = std::count_if(begin, end, [](const Copy& copy) { return copy.is_odd; });
+    const bool is_both = odd != 0 && odd != end - begin;
+    for (; begin != end; ++begin) {
+      found[begin->face] = is_both ? 1 : 0;
+    }
+  }
+  return found;
+}
+
 struct InsideOut {
   Faces faces;
-  Cavities cavities;  // once these are turned
+  Cavities cavities;       // once these are turned
+  bool may_cross = false;  // at edges they have in common
 };
 
 /// Which shells bound material and which voids, from outside to inside.
 class ShellFacing {
  public:
   ShellFacing(const ClosedShells& closed, std::span<const int> signs,
-              const ShellEnclosure& enclosure, std::span<const std::uint8_t> is_paired)
-      : closed_(closed), signs_(signs), enclosure_(enclosure), is_paired_(is_paired) {}
+              const ShellEnclosure& enclosure, std::span<const std::uint8_t> is_paired,
+              std::span<const std::uint8_t> is_there_turned)
+      : closed_(closed),
+        signs_(signs),
+        enclosure_(enclosure),
+        is_paired_(is_paired),
+        is_there_turned_(is_there_turned) {}
 
   /// Per shell the sign of its volume as it has to be.
   std::vector<int> find() {
@@ -59,10 +92,13 @@ class ShellFacing {
   }
 
  private:
-  // If in material it is part of no shell right around it; in a void, if it is part of all of them.
+  // What is there the other way round, too, is a body that is there several times, no cavity. Else
+  // if in material it is part of no shell right around it; in a void, if it is part of all of them.
   [[nodiscard]] bool is_cavity(std::uint32_t shell) const {
-    if (std::ranges::any_of(closed_.shells.faces_of(shell),
-                            [this](std::uint32_t face) { return is_paired_[face] != 0; })) {
+    const auto faces = closed_.shells.faces_of(shell);
+    const auto is_paired = [this](std::uint32_t face) { return is_paired_[face] != 0; };
+    const auto is_there_turned = [this](std::uint32_t face) { return is_there_turned_[face] != 0; };
+    if (std::ranges::any_of(faces, is_paired) || std::ranges::all_of(faces, is_there_turned)) {
       return false;
     }
     int winding = 0;
@@ -106,7 +142,7 @@ class ShellFacing {
   const ClosedShells& closed_;
   std::span<const int> signs_;
   const ShellEnclosure& enclosure_;
-  std::span<const std::uint8_t> is_paired_;
+  std::span<const std::uint8_t> is_paired_, is_there_turned_;
   std::vector<int> facing_;
 };
 
@@ -119,10 +155,7 @@ void turn_lobes(PolygonSoup& soup, const ClosedShells& closed, std::vector<int>&
     }
     const auto of_shell = closed.shells.faces_of(shell);
     const Faces to_turn = lobe_faces(soup, of_shell, signs[shell]);
-    for (const std::uint32_t face : to_turn) {
-      turn(soup.triangles[face]);
-      is_turned[face] ^= 1;
-    }
+    turn_faces(soup, to_turn, is_turned);
     if (!to_turn.empty() && signs[shell] == 0) {
       signs[shell] = 1;
     }
@@ -137,11 +170,14 @@ InsideOut inside_out(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,
   turn_lobes(soup, closed, signs, is_turned);
   InsideOut result;
   result.cavities.touching = std::ranges::count(closed.touches_itself, 1) > 0;
+  result.may_cross = result.cavities.touching || !closed.at_one_edge.empty();
   if (std::ranges::find(signs, -1) == signs.end()) {
     return result;
   }
   const ShellEnclosure enclosure(soup, shells, signs);
-  const std::vector<int> facing = ShellFacing(closed, signs, enclosure, is_paired).find();
+  const std::vector<std::uint8_t> there_turned = find_turned_copies(soup.triangles);
+  const std::vector<int> facing =
+      ShellFacing(closed, signs, enclosure, is_paired, there_turned).find();
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
     const auto of_shell = shells.faces_of(shell);
     if (facing[shell] < 0) {
@@ -197,12 +233,19 @@ mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const
 
 Cavities turn_shells_outward(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,
                              std::vector<std::uint8_t>& is_turned) {
+  const std::vector<std::uint8_t> before = is_turned;
   InsideOut found = inside_out(soup, is_paired, is_turned);
-  for (const std::uint32_t face : found.faces) {
-    turn(soup.triangles[face]);
-    is_turned[face] ^= 1;
-  }
+  turn_faces(soup, found.faces, is_turned);
   Cavities cavities = std::move(found.cavities);
+  if (found.may_cross && is_turned != before) {
+    std::vector<std::uint8_t> turned_now(before.size()), is_of_cavity(before.size(), 0);
+    std::ranges::transform(before, is_turned, turned_now.begin(), std::not_equal_to<>());
+    for (const std::uint32_t face : cavities.faces) {
+      is_of_cavity[face] = 1;
+    }
+    turn_faces(soup, faces_of_crossed_voids(soup.points, soup.triangles, turned_now, is_of_cavity),
+               is_turned);
+  }
   for (std::uint32_t& face : cavities.faces) {
     face = soup.sources[face];
   }

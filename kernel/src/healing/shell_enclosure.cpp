@@ -11,9 +11,10 @@
 #include "checking/self_intersection.h"
 #include "healing/shell_lobes.h"
 #include "healing/sorted_copies.h"
+#include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/shell_nesting.h"
-#include "support/none.h"
+#include "support/disjoint_sets.h"
 
 namespace dupin::healing {
 namespace {
@@ -40,6 +41,7 @@ class EnclosureFinder {
         shells_(shells),
         signs_(signs),
         mesh_(soup.points, soup.triangles),
+        edges_(soup.triangles, soup.points.size()),
         nest_(mesh_, shells) {}
 
   std::vector<std::vector<std::uint32_t>> find() {
@@ -53,6 +55,7 @@ class EnclosureFinder {
     if (candidates_.empty()) {
       return around;
     }
+    find_edges();
     find_crossing();
     for (const ShellPair& pair : candidates_) {
       if (encloses(pair)) {
@@ -129,6 +132,15 @@ class EnclosureFinder {
            std::ranges::binary_search(candidates_, ShellPair(b, a));
   }
 
+  void find_edges() {
+    edge_of_.resize(3 * soup_.triangles.size());
+    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
+      for (const std::uint32_t h : edges_[edge].half_edges) {
+        edge_of_[h] = edge;
+      }
+    }
+  }
+
   // Those that meet otherwise than in corners, edges and faces.
   void find_crossing() {
     std::vector<std::uint8_t> is_candidate_shell(shells_.count, 0), is_inner(shells_.count, 0);
@@ -168,23 +180,58 @@ class EnclosureFinder {
     if (std::ranges::binary_search(crossing_, ShellPair(std::minmax(outer, inner)))) {
       return is_nothing_left(region(inner), region(outer));
     }
-    const std::uint32_t face = face_apart(inner, outer);
-    return face != support::kNone && nest_.encloses(outer, mesh::point_within(mesh_, face));
+    const std::vector<std::uint32_t> apart = faces_apart(inner, outer);
+    return !apart.empty() && std::ranges::all_of(apart, [&](std::uint32_t face) {
+      return nest_.encloses(outer, mesh::point_within(mesh_, face));
+    });
   }
 
-  // That rays cost least, and is none of the outer shell's.
-  [[nodiscard]] std::uint32_t face_apart(std::uint32_t inner, std::uint32_t outer) const {
-    std::uint32_t best = support::kNone;
-    double least = 0;
-    for (const std::uint32_t face : shells_.faces_of(inner)) {
-      const double cost = mesh::ray_cost(mesh_, face);
-      if ((best == support::kNone || cost < least) &&
-          !std::ranges::binary_search(faces_[outer], copies_[face] / 2)) {
-        best = face;
-        least = cost;
+  // Of each part of the inner shell between edges of the outer one, where they may cross: the face
+  // that rays cost least. None for what is the outer shell's, too.
+  [[nodiscard]] std::vector<std::uint32_t> faces_apart(std::uint32_t inner,
+                                                       std::uint32_t outer) const {
+    const auto of_inner = shells_.faces_of(inner);
+    const std::vector<std::uint32_t> parts = parts_between_edges_of(outer, of_inner);
+    std::map<std::uint32_t, std::pair<double, std::uint32_t>> cheapest;
+    for (std::size_t i = 0; i < of_inner.size(); ++i) {
+      const std::uint32_t face = of_inner[i];
+      if (!std::ranges::binary_search(faces_[outer], copies_[face] / 2)) {
+        const std::pair candidate(mesh::ray_cost(mesh_, face), face);
+        const auto [at, is_new] = cheapest.try_emplace(parts[i], candidate);
+        at->second = std::min(at->second, candidate);
       }
     }
-    return best;
+    std::vector<std::uint32_t> faces;
+    for (const auto& [part, candidate] : cheapest) {
+      faces.push_back(candidate.second);
+    }
+    return faces;
+  }
+
+  // Per face of a shell the first one of its part.
+  [[nodiscard]] std::vector<std::uint32_t> parts_between_edges_of(
+      std::uint32_t outer, std::span<const std::uint32_t> of_inner) const {
+    constexpr std::size_t kMany = 64;  // more parts than there are do no harm
+    const auto place = [&](std::uint32_t face) {
+      return static_cast<std::uint32_t>(std::ranges::lower_bound(of_inner, face) -
+                                        of_inner.begin());
+    };
+    const auto shell_at = [this](std::uint32_t h) { return shells_.of_face[h / 3]; };
+    support::DisjointSets parts(of_inner.size());
+    for (std::uint32_t i = 0; i < of_inner.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const auto along = edges_[edge_of_[3 * of_inner[i] + k]].half_edges;
+        if (along.size() > kMany || std::ranges::find(along, outer, shell_at) != along.end()) {
+          continue;
+        }
+        for (const std::uint32_t h : along) {
+          if (shell_at(h) == shells_.of_face[of_inner[i]]) {
+            parts.unite(i, place(h / 3));
+          }
+        }
+      }
+    }
+    return parts.representatives();
   }
 
   static bool is_nothing_left(const mesh::ExactMesh& of, const mesh::ExactMesh& without) {
@@ -206,6 +253,8 @@ class EnclosureFinder {
   const mesh::Shells& shells_;
   std::span<const int> signs_;
   mesh::MeshView mesh_;
+  mesh::EdgeTable edges_;
+  std::vector<std::uint32_t> edge_of_;  // per half-edge
   mesh::ShellNest nest_;
   std::vector<ShellPair> candidates_;
   std::vector<std::uint32_t> copies_;                // per face

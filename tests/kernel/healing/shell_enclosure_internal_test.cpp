@@ -1,4 +1,5 @@
 #include <array>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,16 @@ TEST(ShellEnclosure, what_crosses_or_coincides_is_not_within) {
   const TriMesh outer = test::tetrahedron({0, 0, 0}, 8);
   EXPECT_EQ(depths(outer, box({1, 1, 1}, {3, 3, 3})), (std::vector{0, 0}));
   EXPECT_EQ(depths(outer, box({1, 1, 1}, {2, 2, 2})), (std::vector{0, 1}));
+}
+
+// A bar through an edge of the notch of the outer one, which has edges there, too.
+TEST(ShellEnclosure, what_crosses_at_edges_is_not_within) {
+  std::set<Cell> notched = cells_of_box({0, 0, 0}, {3, 3, 1});
+  notched.erase({2, 2, 0});
+  const TriMesh outer = surface_of_cells(notched);
+  EXPECT_EQ(depths(outer, surface_of_cells({0, 2, 0}, {2, 3, 1})), (std::vector{0, 1}));
+  EXPECT_EQ(depths(outer, surface_of_cells({0, 2, 0}, {3, 3, 1})), (std::vector{0, 0}));
+  EXPECT_EQ(depths(outer, surface_of_cells({2, 0, 0}, {3, 3, 1})), (std::vector{0, 0}));
 }
 
 // Each counts, whichever way it turns.
