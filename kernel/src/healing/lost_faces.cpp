@@ -10,6 +10,7 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "healing/lost_cells.h"
 #include "healing/sorted_copies.h"
 #include "mesh/edge_table.h"
 #include "mesh/point_winding.h"
@@ -29,10 +30,12 @@ struct DistinctFaces {
   std::vector<Triangle> triangles;
   std::vector<std::uint8_t> is_known;  ///< on the boundary, or a cavity's
   std::vector<std::uint32_t> copies;   ///< how many
+  std::vector<std::uint32_t> of_face;  ///< per face of the soup the one that it is a copy of
 };
 
 DistinctFaces distinct_faces(const PolygonSoup& soup, std::span<const std::uint8_t> is_known) {
   DistinctFaces distinct;
+  distinct.of_face.resize(soup.triangles.size());
   for (const Copy& copy : sorted_copies(soup.triangles)) {
     if (distinct.triangles.empty() || distinct.triangles.back() != copy.corners) {
       distinct.triangles.push_back(copy.corners);
@@ -40,6 +43,7 @@ DistinctFaces distinct_faces(const PolygonSoup& soup, std::span<const std::uint8
       distinct.copies.push_back(0);
     }
     ++distinct.copies.back();
+    distinct.of_face[copy.face] = static_cast<std::uint32_t>(distinct.copies.size() - 1);
     distinct.is_known.back() |= is_known[soup.sources[copy.face]];
   }
   return distinct;
@@ -111,6 +115,33 @@ bool are_coplanar(std::span<const Vec3> points, const Triangle& plane, const Tri
   });
 }
 
+// Whether faces in one plane have inner points in common: no side of either is between them.
+bool overlap(std::span<const Vec3> points, const Triangle& first, const Triangle& second) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto point = [&](std::uint32_t i) {
+      return Kernel::Point_2(points[i][(axis + 1) % 3], points[i][(axis + 2) % 3]);
+    };
+    const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      return CGAL::orientation(point(a), point(b), point(c));
+    };
+    const auto are_apart = [&](const Triangle& t, const Triangle& other) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto inward = turn(t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
+        if (std::ranges::none_of(other, [&](std::uint32_t corner) {
+              return turn(t[k], t[(k + 1) % 3], corner) == inward;
+            })) {
+          return true;
+        }
+      }
+      return false;
+    };
+    if (turn(first[0], first[1], first[2]) != CGAL::COLLINEAR) {
+      return !are_apart(first, second) && !are_apart(second, first);
+    }
+  }
+  return true;
+}
+
 // Inside the face, near a corner: the middle between it and that of the opposite edge.
 mesh::WindingPoint point_near(const mesh::MeshView& mesh, std::uint32_t face, std::size_t near) {
   exact::ExactVector point;
@@ -148,14 +179,18 @@ Faces find_outside(std::span<const Vec3> points, const DistinctFaces& distinct,
   return outside;
 }
 
-// What lies in one plane with a face that is known, beside it or on it, may be covered by it.
-void drop_covered(std::span<const Vec3> points, const DistinctFaces& distinct, Faces& faces) {
+// What lies in one plane with a face that is known may be covered by it: if it lies on that, or is
+// beside it, too.
+void drop_covered(std::span<const Vec3> points, const DistinctFaces& distinct, bool beside,
+                  Faces& faces) {
   const mesh::MeshView mesh(points, distinct.triangles);
   std::erase_if(faces, [&](std::uint32_t face) {
+    const Triangle& t = distinct.triangles[face];
     const auto box = mesh::bounds_of(mesh, face);
     for (std::uint32_t i = 0; i < distinct.triangles.size(); ++i) {
+      const Triangle& other = distinct.triangles[i];
       if (distinct.is_known[i] != 0 && mesh::bounds_of(mesh, i).intersects(box) &&
-          are_coplanar(points, distinct.triangles[i], distinct.triangles[face])) {
+          are_coplanar(points, other, t) && (beside || overlap(points, other, t))) {
         return true;
       }
     }
@@ -181,34 +216,113 @@ void drop_fins(std::span<const Vec3> points, const DistinctFaces& distinct,
   });
 }
 
+bool is_odd(const Triangle& t) { return ((t[0] > t[1]) != (t[1] > t[2])) != (t[0] > t[2]); }
+
+// Faces that are `outside` have nothing of the solid on either side.
+std::vector<LostCell> lost_cells(const PolygonSoup& given, const PolygonSoup& settled,
+                                 const DistinctFaces& distinct, const mesh::ExactMesh& solid,
+                                 const KnownFaces& known, const Faces& outside) {
+  std::vector<std::uint8_t> is_boundary(known.is_of_cavity.size(), 0);
+  for (const Source& source : solid.sources) {
+    is_boundary[source.triangle] = 1 - known.is_of_cavity[source.triangle];
+  }
+  std::vector<std::uint32_t> place(known.is_of_cavity.size(), 0);  // of a face of the mesh
+  for (std::uint32_t i = 0; i < given.sources.size(); ++i) {
+    place[given.sources[i]] = i;
+  }
+  std::vector<std::uint8_t> front(distinct.triangles.size(), 0), behind = front, turned = front;
+  for (std::size_t i = 0; i < settled.triangles.size(); ++i) {
+    if (is_boundary[settled.sources[i]] != 0) {
+      const std::uint32_t before = place[settled.sources[i]], face = distinct.of_face[before];
+      (is_odd(settled.triangles[i]) ? front : behind)[face] = 1;
+      if (is_odd(settled.triangles[i]) != is_odd(given.triangles[before])) {
+        turned[face] = 1;
+      }
+    }
+  }
+  if (!known.were_closed) {
+    turned.clear();
+  }
+  std::vector<std::uint8_t> is_outside(distinct.triangles.size(), 0);
+  for (const std::uint32_t face : outside) {
+    is_outside[face] = 1;
+  }
+  for (std::size_t i = 0; i < is_outside.size(); ++i) {
+    if (is_outside[i] == 0 && front[i] == 0 && behind[i] == 0) {
+      front[i] = behind[i] = 1;  // or not known: then it is not lost
+    }
+  }
+  return find_lost_cells({given.points, distinct.triangles, front, behind, turned});
+}
+
+// As one more surface, which all of them are inside of.
+void add_walls(const PolygonSoup& given, const DistinctFaces& distinct,
+               const std::vector<LostCell>& cells, PolygonSoup& settled) {
+  std::vector<std::uint32_t> source(distinct.triangles.size(), 0);
+  for (std::size_t i = 0; i < given.sources.size(); ++i) {
+    source[distinct.of_face[i]] = given.sources[i];
+  }
+  for (const LostCell& cell : cells) {
+    for (const auto& [face, is_turned] : cell.walls) {
+      const auto& [a, b, c] = distinct.triangles[face];
+      settled.triangles.push_back(is_turned ? Triangle{a, c, b} : Triangle{a, b, c});
+      settled.sources.push_back(source[face]);
+    }
+  }
+}
+
+[[noreturn]] void refuse(const PolygonSoup& given, const DistinctFaces& distinct,
+                         const Faces& lost) {
+  const Triangle& t = distinct.triangles[lost.front()];
+  throw Error(Errc::not_oriented,
+              "the mesh cannot be repaired: what " + std::to_string(lost.size()) +
+                  " faces bound would be lost, first the one with the corners " +
+                  decimal(given.points[t[0]]) + ", " + decimal(given.points[t[1]]) + " and " +
+                  decimal(given.points[t[2]]) +
+                  "; where bodies are there several times or overlap, their faces have to be "
+                  "turned alike");
+}
+
 }  // namespace
 
-void refuse_lost_faces(const PolygonSoup& given, const PolygonSoup& settled,
-                       const mesh::ExactMesh& solid, std::span<const std::uint8_t> is_of_cavity) {
-  std::vector<std::uint8_t> is_known(is_of_cavity.begin(), is_of_cavity.end());
+bool add_or_refuse_lost(const PolygonSoup& given, PolygonSoup& settled,
+                        const mesh::ExactMesh& solid, const KnownFaces& known, bool may_add) {
+  std::vector<std::uint8_t> is_known = known.is_of_cavity;
   for (const Source& source : solid.sources) {
     is_known[source.triangle] = 1;
   }
   const DistinctFaces distinct = distinct_faces(given, is_known);
-  if (std::ranges::find(distinct.is_known, 0) == distinct.is_known.end()) {
-    return;
-  }
   Faces lost = find_outside(given.points, distinct, settled);
-  drop_covered(given.points, distinct, lost);
+  drop_covered(given.points, distinct, false, lost);
+  if (lost.empty()) {
+    return false;
+  }
+  std::vector<LostCell> cells = lost_cells(given, settled, distinct, solid, known, lost);
+  const auto of_bodies = std::ranges::stable_partition(cells, &LostCell::is_of_bodies);
+  const std::vector<LostCell> others(of_bodies.begin(), of_bodies.end());
+  if (may_add && others.size() < cells.size()) {
+    cells.resize(cells.size() - others.size());
+    add_walls(given, distinct, cells, settled);
+    return true;
+  }
+  const Faces outside = lost;
+  drop_covered(given.points, distinct, true, lost);
   if (!lost.empty()) {
     const mesh::EdgeTable edges(distinct.triangles, given.points.size());
     drop_fins(given.points, distinct, edges, lost);
   }
-  if (!lost.empty()) {
-    const Triangle& t = distinct.triangles[lost.front()];
-    throw Error(Errc::not_oriented,
-                "the mesh cannot be repaired: what " + std::to_string(lost.size()) +
-                    " faces bound would be lost, first the one with the corners " +
-                    decimal(given.points[t[0]]) + ", " + decimal(given.points[t[1]]) + " and " +
-                    decimal(given.points[t[2]]) +
-                    "; where bodies are there several times or overlap, their faces have to be "
-                    "turned alike");
+  for (const LostCell& cell : cells) {
+    for (const CellFace& wall : cell.walls) {
+      if (std::ranges::binary_search(outside, wall.face)) {
+        lost.push_back(wall.face);
+      }
+    }
   }
+  support::sort_unique(lost);
+  if (!lost.empty()) {
+    refuse(given, distinct, lost);
+  }
+  return false;
 }
 
 }  // namespace dupin::healing

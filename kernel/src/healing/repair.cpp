@@ -161,11 +161,14 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   }
   mesh::ExactMesh solid = plain ? std::move(*plain) : healing::wound_around(soup, mesh, progress);
   if (!was_closed || cavities.count > 0 || cavities.touching) {
-    std::vector<std::uint8_t> is_of_cavity(mesh.triangles.size(), 0);
+    healing::KnownFaces known{std::vector<std::uint8_t>(mesh.triangles.size(), 0), was_closed};
     for (const std::uint32_t face : cavities.faces) {
-      is_of_cavity[face] = 1;
+      known.is_of_cavity[face] = 1;
     }
-    healing::refuse_lost_faces(given, soup, solid, is_of_cavity);
+    if (healing::add_or_refuse_lost(given, soup, solid, known, true)) {
+      solid = healing::wound_around(soup, mesh, progress);
+      (void)healing::add_or_refuse_lost(given, soup, solid, known, false);
+    }
   }
   report.united_overlaps = !is_plain && !healing::keeps_surface(solid, soup);
   report.parted_contacts = !is_plain && !solid.contacts.empty();

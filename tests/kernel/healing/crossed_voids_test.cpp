@@ -1,3 +1,6 @@
+#include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,6 +45,24 @@ TEST(CrossedVoids, that_are_there_both_ways_round_are_no_cavities) {
                 second = surface_of_cells({0, 1, 0}, {3, 3, 1});
   EXPECT_EQ(repaired_volume({reversed(first), reversed(second), second}), 7);
   EXPECT_EQ(repaired_volume({first, reversed(second), second}), 7);
+}
+
+// A flat angle and a bar that begins at its side: their ends, top and bottom are in common.
+TEST(CrossedVoids, are_filled_that_are_open_where_faces_in_common_were_dropped) {
+  std::set<Cell> angle = cells_of_box({0, 0, 0}, {3, 1, 1});
+  angle.merge(cells_of_box({0, 0, 0}, {1, 3, 1}));
+  const TriMesh both = joined({surface_of_cells(angle), surface_of_cells({1, 0, 0}, {2, 3, 1})});
+  std::mt19937 random(34);
+  for (int round = 0; round < 100; ++round) {
+    SCOPED_TRACE(round);
+    TriMesh mesh = both;
+    for (Triangle& t : mesh.triangles) {
+      if (random() % 2 == 0) {
+        std::swap(t[1], t[2]);
+      }
+    }
+    EXPECT_EQ(repaired_volume({mesh}), 7);
+  }
 }
 
 }  // namespace

@@ -19,12 +19,13 @@ PolygonSoup soup_of(const TriMesh& mesh) { return merge_duplicate_points(mesh).s
 
 // Of the mesh, only the first box is in the solid.
 void look_for_lost(const TriMesh& mesh, std::size_t cavity_begin = 1000) {
-  std::vector<std::uint8_t> is_of_cavity(mesh.triangles.size(), 0);
-  for (std::size_t i = cavity_begin; i < is_of_cavity.size(); ++i) {
-    is_of_cavity[i] = 1;
+  KnownFaces known{std::vector<std::uint8_t>(mesh.triangles.size(), 0), false};
+  for (std::size_t i = cavity_begin; i < known.is_of_cavity.size(); ++i) {
+    known.is_of_cavity[i] = 1;
   }
   const TriMesh kept = box({0, 0, 0}, {2, 2, 2});
-  refuse_lost_faces(soup_of(mesh), soup_of(kept), Solid::from(kept).exact(), is_of_cavity);
+  PolygonSoup settled = soup_of(kept);
+  (void)add_or_refuse_lost(soup_of(mesh), settled, Solid::from(kept).exact(), known, false);
 }
 
 TEST(LostFaces, a_body_outside_is_lost_and_one_inside_is_not) {

@@ -44,10 +44,12 @@ struct Repaired {
 /// their coordinates where faces do not agree: the order of faces and points does not matter for
 /// what is kept of meshes without degenerate faces.
 ///
-/// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (points that
-/// are not finite or out of range, bad indices or labels), Error{not_closed | not_oriented} where
-/// more would have to be guessed, or a body would be lost that faces bound where the surface had to
-/// be closed or touches itself, and what unite() throws.
+/// What bodies have in common that cross along edges, and what would be lost and can only be of
+/// bodies (lost_cells.h), is part of the solid. Holes are never filled. Throws
+/// Error{invalid_argument} for what is no mesh (points that are not finite or out of range, bad
+/// indices or labels), Error{not_closed | not_oriented} where more would have to be guessed, or a
+/// body would be lost that faces bound where the surface had to be closed or touches itself, and
+/// what unite() throws.
 [[nodiscard]] Repaired repair(const TriMesh& mesh, const Progress& progress = {});
 
 }  // namespace dupin
