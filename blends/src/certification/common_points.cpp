@@ -150,6 +150,22 @@ std::optional<Vec3> common_point(const Discs& first, const Discs& second, double
   return std::nullopt;
 }
 
+// Of a ball into which a part's end dips, by however little: on the axis, within both.
+void append_within_ends(const SweptDiscs& sweep, const SweptDiscs& other,
+                        std::vector<Vec3>& points) {
+  const Disc ball = disc_at(other, 0);
+  if (!ball.axis.isZero()) {
+    return;
+  }
+  for (const double t : {0., sweep.length()}) {
+    const Disc end = disc_at(sweep, t);
+    const double depth = ball.radius - (end.center - ball.center).norm();
+    if (depth > 0) {
+      points.push_back(end.center + (t == 0 ? 0.5 : -0.5) * std::min(depth, end.radius) * end.axis);
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<Vec3> point_between_axes(const SweptDiscs& first, const SweptDiscs& second) {
@@ -175,6 +191,8 @@ std::vector<Vec3> common_points(const SweptDiscs& first, const SweptDiscs& secon
   if (!are_few(first, second)) {
     return result;
   }
+  append_within_ends(first, second, result);
+  append_within_ends(second, first, result);
   const Vec3 from = start(first, second);
   // What is common to smaller parts lies inside of both.
   for (const double less : {0.2, 0.03, 0.004, 0.0005}) {

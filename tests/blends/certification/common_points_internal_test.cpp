@@ -30,6 +30,20 @@ TEST(CommonPoints, are_inside_of_balls_and_pipes) {
   }
 }
 
+// A pipe's end in a ball, as where an arm of a junction is short: by a ten thousandth of the
+// length.
+TEST(CommonPoints, are_inside_of_ends_that_dip_into_a_ball_by_little) {
+  const Chain pipe = cylinder(Vec3(5.5334, 0, 0), Vec3(34.5, 0, 0), 2);
+  for (const double depth : {1e-3, 1e-6}) {
+    const Sphere ball{Vec3::Zero(), 5.5334 + depth};
+    const auto found = overlap(SweptDiscs(ball), SweptDiscs(pipe));
+    ASSERT_TRUE(found) << depth;
+    EXPECT_LT(found->point.norm(), ball.radius);
+    EXPECT_GT(found->point.x(), 5.5334);
+  }
+  EXPECT_FALSE(overlap(SweptDiscs(Sphere{Vec3::Zero(), 5.5333}), SweptDiscs(pipe)));
+}
+
 // Pipes so long that no samples of theirs meet.
 TEST(CommonPoints, are_inside_of_long_pipes) {
   const Chain one = cylinder(Vec3(-300, 0, 0), Vec3(500, 0, 0), 2);
