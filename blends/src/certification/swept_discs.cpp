@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "surfaces/moving_disc.h"
+#include "surfaces/cyclide_discs.h"
 #include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::certification {
@@ -56,8 +56,8 @@ std::optional<numbers::IntervalVec> rim_of(const Piece& piece, double wall, End 
     return std::nullopt;
   }
   const numbers::Interval t = end == End::end ? 1 : 0;
-  const auto outer = surfaces::moving_disc(*cyclide, t);
-  const auto inner = surfaces::moving_disc(*cyclide, t, wall);
+  const surfaces::CyclideDiscs discs(*cyclide);
+  const auto outer = discs.over(t), inner = discs.over(t, wall);
   if (!outer || !inner) {
     const numbers::Interval any = numbers::Interval::whole();
     return numbers::IntervalVec{any, any, any};

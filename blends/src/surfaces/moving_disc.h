@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "dupin/blends/cyclide_piece.h"
 #include "dupin/blends/end.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "numbers/interval.h"
@@ -17,12 +16,8 @@ struct MovingDisc {
   numbers::Interval radius;
 };
 
-/// Over the interval t within [0, 1]; none where the numbers do not tell that the disc moves.
-///
-/// Of the outer skin, or of the parallel one at distance `wall` inside.
-[[nodiscard]] std::optional<MovingDisc> moving_disc(const CyclidePiece& piece,
-                                                    const numbers::Interval& t, double wall = 0);
-/// With `steered`, both derivatives are divided by the same positive function, so that they do not
+/// Over the interval t within [0, 1]; none where the numbers do not tell that the disc moves. With
+/// `steered`, both derivatives are divided by the same positive function, so that they do not
 /// vanish where the disc comes to rest at an end.
 [[nodiscard]] std::optional<MovingDisc> moving_disc(const RationalRingedSurface& surface,
                                                     const numbers::Interval& t, bool steered);

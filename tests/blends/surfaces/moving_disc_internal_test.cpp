@@ -10,6 +10,7 @@
 #include "blends/ringed/ringed_blends.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "surfaces/cyclide_discs.h"
 #include "surfaces/moving_disc.h"
 
 namespace dupin::surfaces {
@@ -66,13 +67,13 @@ TEST(MovingDisc, of_a_cyclide_is_the_contact_circles) {
     const PeArc arc = arcs.next();
     const CyclidePiece piece = cyclide_piece(arc);
     expect_disc_of([&](double t) { return circle_at(arc, t); },
-                   [&](const Interval& t) { return moving_disc(piece, t); });
+                   [&](const Interval& t) { return CyclideDiscs(piece).over(t); });
     // The inner skin is the offset piece.
     const double wall = 0.1;
     try {
       const PeArc inner = offset(arc, -wall);
       expect_disc_of([&](double t) { return circle_at(inner, t); },
-                     [&](const Interval& t) { return moving_disc(piece, t, wall); });
+                     [&](const Interval& t) { return CyclideDiscs(piece).over(t, wall); });
       ++walls;
     } catch (const Error&) {
       // too thick
@@ -86,7 +87,7 @@ TEST(MovingDisc, of_a_straight_piece_of_a_cyclide_does_not_turn) {
   const Vec3 along = Vec3(1, 2, -.3).normalized();
   const CyclidePiece piece = cyclide_piece(
       PeArc::from(test::sphere(0, 0, 0, 3), test::direction(along, 0), {5 * along, 5.5}));
-  const auto disc = moving_disc(piece, {.5, .515625});
+  const auto disc = CyclideDiscs(piece).over({.5, .515625});
   ASSERT_TRUE(disc);
   const DiscPace found = pace(*disc, .015625);
   EXPECT_LT(found.turning, 1e-12);

@@ -8,6 +8,7 @@
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/cyclide_tube.h"
+#include "surfaces/cyclide_discs.h"
 #include "surfaces/nurbs_rows.h"
 #include "tessellation/cyclide_rows.h"
 #include "tessellation/tessellation_tolerance.h"
@@ -128,7 +129,8 @@ MovingRing leaving(const CyclidePiece& piece, End end) {
 }
 
 PieceDiscs discs(const CyclidePiece& piece) {
-  return discs_of([piece](const numbers::Interval& t, bool) { return moving_disc(piece, t); });
+  return discs_of(
+      [all = CyclideDiscs(piece)](const numbers::Interval& t, bool) { return all.over(t); });
 }
 
 // PeArc proved regularity when it was made, exactly.
@@ -141,12 +143,12 @@ namespace {
 
 // Of both skins.
 MarginOver margin_over(const CyclidePiece& piece, double wall) {
-  return [piece, wall, outer = discs(piece).pace](const ParameterInterval& t) {
+  return [all = CyclideDiscs(piece), wall, outer = discs(piece).pace](const ParameterInterval& t) {
     const double margin = margin_of(outer(t));
     if (wall == 0) {
       return margin;
     }
-    const auto inner = moving_disc(piece, {t.from, t.to}, wall);
+    const auto inner = all.over({t.from, t.to}, wall);
     return std::min(margin, inner ? margin_of(pace(*inner, 0)) : -1);
   };
 }

@@ -11,7 +11,7 @@
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/kernel/error.h"
 #include "numbers/quadrature.h"
-#include "surfaces/moving_disc.h"
+#include "surfaces/cyclide_discs.h"
 
 namespace dupin::surfaces {
 namespace {
@@ -87,8 +87,8 @@ struct SectionsOf {
     };
   }
   Sections operator()(const CyclidePiece& piece) const {
-    return [&piece, from = origin](double t) {
-      const auto disc = moving_disc(piece, numbers::Interval(t));
+    return [discs = CyclideDiscs(piece), from = origin](double t) {
+      const auto disc = discs.over(numbers::Interval(t));
       if (!disc) {
         throw Error(Errc::irregular_surface, "the piece's discs stop within it");
       }

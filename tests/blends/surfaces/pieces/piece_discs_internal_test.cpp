@@ -9,6 +9,7 @@
 
 #include "support/cyclide_cases.h"
 #include "support/paper_surfaces.h"
+#include "surfaces/cyclide_discs.h"
 #include "surfaces/pieces/piece_discs.h"
 
 namespace dupin::surfaces {
@@ -106,8 +107,8 @@ TEST(PieceDiscs, of_a_motion_enclose_its_circles) {
   for (int i = 0; i < 10; ++i) {
     const PeArc arc = arcs.next();
     const PieceDiscs discs =
-        discs_of([piece = cyclide_piece(arc)](const numbers::Interval& t, bool) {
-          return moving_disc(piece, t);
+        discs_of([all = CyclideDiscs(cyclide_piece(arc))](const numbers::Interval& t, bool) {
+          return all.over(t);
         });
     expect_enclosed(discs, [&](double t) { return circle_at(arc, t); });
     EXPECT_TRUE(discs.pace({.5, .5 + 0x1p-9}).has_value());
