@@ -82,18 +82,6 @@ TEST(MovingDisc, of_a_cyclide_is_the_contact_circles) {
   EXPECT_GT(walls, 20);
 }
 
-// Balls that grow along a line: circles across it, all the way.
-TEST(MovingDisc, of_a_straight_piece_of_a_cyclide_does_not_turn) {
-  const Vec3 along = Vec3(1, 2, -.3).normalized();
-  const CyclidePiece piece = cyclide_piece(
-      PeArc::from(test::sphere(0, 0, 0, 3), test::direction(along, 0), {5 * along, 5.5}));
-  const auto disc = CyclideDiscs(piece).over({.5, .515625});
-  ASSERT_TRUE(disc);
-  const DiscPace found = pace(*disc, .015625);
-  EXPECT_LT(found.turning, 1e-12);
-  EXPECT_GT(found.advance, .1);
-}
-
 TEST(MovingDisc, of_a_ringed_surface_is_its_rings) {
   for (const RationalRingedSurface& surface : {test::cone_to_cylinder(), test::general_ends()}) {
     expect_disc_of(
