@@ -91,8 +91,7 @@ Eigen::AlignedBox3d box_of(const Piece& piece, const View& axes) {
   const Eigen::AlignedBox3d box = box_of(
       std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, axes, 0);
   const auto* cyclide = std::get_if<CyclidePiece>(&piece);
-  const bool is_finite = box.min().allFinite() && box.max().allFinite();
-  return is_finite || cyclide == nullptr ? box : box_of_spheres(*cyclide, axes);
+  return cyclide == nullptr ? box : box.intersection(box_of_spheres(*cyclide, axes));
 }
 
 Eigen::AlignedBox3d box_of(const Sphere& sphere, const View& axes) {

@@ -224,6 +224,20 @@ class Steering {
 
 }  // namespace
 
+namespace {
+
+// Circles lie on their spheres, however wide the intervals are that they are computed from.
+void keep_within_sphere(MovingDisc& disc, const JetVec<1>& center, const Interval& radius) {
+  const Interval sine(-1, 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    disc.normal[k][0] = intersection(disc.normal[k][0], sine);
+    disc.center[k][0] = intersection(disc.center[k][0], center[k][0] + radius * sine);
+  }
+  disc.radius[0] = intersection(disc.radius[0], radius * sine);
+}
+
+}  // namespace
+
 Motion motion(const CyclidePiece& piece, double wall) {
   return [base = numbers::interval_vec(piece.first.m), spheres = sphere_motion(piece, wall),
           steering = Steering(piece, wall)](double from, double to) -> std::optional<MovingDisc> {
@@ -242,6 +256,7 @@ Motion motion(const CyclidePiece& piece, double wall) {
     const JetVec<3> shift = (value * r1 / speed) * m1;
     MovingDisc disc{moved(center - shift, base), m1 / sqrt(speed), value * pace / sqrt(speed),
                     pace};
+    keep_within_sphere(disc, shortened<1>(moved(center, base)), value[0]);
     steering.sharpen(disc, *sphere, from, to);
     return disc;
   };
