@@ -13,7 +13,8 @@ using numbers::IntervalVec;
 
 using Bernstein = std::vector<Interval>;
 
-const Interval kSines(-1, 1);  // however wide the intervals are that they are computed from
+// All sines and cosines, however wide the intervals are that they are computed from.
+Interval sines() { return {-1, 1}; }
 
 // The arc's own centre less its first sphere, about; none where it has none, or too far away.
 std::optional<PeVector> center_of_arc(const CyclidePiece& piece) {
@@ -125,11 +126,11 @@ std::optional<MovingDisc> CyclideDiscs::over(const Interval& t, double wall) con
   if (!(v2.lower > 0 && pace2.lower > 0)) {
     return std::nullopt;
   }
-  const Interval v = numbers::sqrt(v2), slope = numbers::intersection(r1 / v, kSines),
+  const Interval v = numbers::sqrt(v2), slope = numbers::intersection(r1 / v, sines()),
                  set_back = r * slope, q = set_back / v, v1 = numbers::dot(m1, m2) / v;
   const Interval q1 = (square(r1) + r * r2 - two * q * numbers::dot(m1, m2)) / v2;
   const IntervalVec normal =
-      numbers::intersection(Interval(1) / v * m1, IntervalVec{kSines, kSines, kSines});
+      numbers::intersection(Interval(1) / v * m1, IntervalVec{sines(), sines(), sines()});
   const Interval rate = k_ / (w[0] * square(w[0]) * v2);
   const IntervalVec turning =
       numbers::intersection(Interval(1) / v * (m2 - numbers::dot(normal, m2) * normal),
@@ -144,7 +145,7 @@ std::optional<MovingDisc> CyclideDiscs::over(const Interval& t, double wall) con
   return MovingDisc{first_center_ + (m - set_back * normal), normal,
                     numbers::intersection((Interval(1) - q1) * m1 - q * m2,
                                           advance * normal - set_back * turning),
-                    turning, r * numbers::intersection(numbers::sqrt(pace2) / v, kSines)};
+                    turning, r * numbers::intersection(numbers::sqrt(pace2) / v, sines())};
 }
 
 }  // namespace dupin::surfaces
