@@ -199,7 +199,7 @@ KNOWN = {
     ("motion.cpp", "if (!(w[0].lower > 0)) {", ".upper"): LINE,
     ("motion_cyclide.cpp", "if (!(w[0].lower > 0)) {", " >= "): LINE,
     ("motion_cyclide.cpp", "if (!(w[0].lower > 0)) {", ".upper"): LINE,
-    ("motion_cyclide.cpp", "!((speed[0] - slope[0]).lower >= 0)", " >= "):
+    ("motion_cyclide.cpp", "squared_pace[0].lower >= 0)", " >= "):
         "circles of no radius are known then, and nothing of how they move",
     ("motion.cpp", "is_rational = s.weight.size() >= 1,", " >= "): ROUNDING,
     ("motion.cpp", "return w[0].lower > 0 ? across(", " >= "): LINE,
