@@ -18,22 +18,49 @@ struct ExactArc {
 
 ExactPoint exact(const PeVector& b) { return {b.m.x(), b.m.y(), b.m.z(), b.r}; }
 
+ExactPoint minus(ExactPoint a, const ExactPoint& b) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    a[k] -= b[k];
+  }
+  return a;
+}
+
+mpq_class dot(const ExactPoint& a, const ExactPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
+}
+
 ExactArc exact_arc(const CyclidePiece& piece) {
   const ExactPoint first = exact(piece.first), tangent = exact(piece.tangent),
                    last = exact(piece.last);
   const mpq_class chord = piece.chord;
-  mpq_class squared, along;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const mpq_class d = last[k] - first[k];
-    squared += (k < 3 ? 1 : -1) * d * d;
-    along += (k < 3 ? 1 : -1) * d * tangent[k];
-  }
+  const ExactPoint d = minus(last, first);
+  const mpq_class squared = dot(d, d), along = dot(d, tangent);
   ExactArc arc{first, {}, {}, {1, along / chord, squared / chord / chord}};
   for (std::size_t k = 0; k < 4; ++k) {
     arc.middle[k] = (along * first[k] + squared / 2 * tangent[k]) / chord;
     arc.last[k] = arc.weight[2] * last[k];
   }
   return arc;
+}
+
+using Coordinates = std::array<Polynomial, 4>;
+
+// The weight times what the spheres are less this one.
+Coordinates about_sphere(const ExactArc& arc, const ExactPoint& sphere) {
+  Coordinates result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    result[k] = about({arc.first[k], arc.middle[k], arc.last[k]}, arc.weight, sphere[k]);
+  }
+  return result;
+}
+
+Polynomial squared(const Coordinates& p) {
+  Polynomial sum{0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Polynomial term = product(p[k], p[k]);
+    sum = difference(sum, k < 3 ? product(term, {-1}) : term);
+  }
+  return sum;
 }
 
 SphereMotion motion_of(const Curve& centers, const Polynomial& radius, const Polynomial& weight) {
@@ -52,13 +79,9 @@ SphereMotion motion_of(const Curve& centers, const Polynomial& radius, const Pol
 
 SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
   const ExactArc arc = exact_arc(piece);
-  Curve centers;
-  Polynomial radius;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Polynomial p{arc.first[k], arc.middle[k], arc.last[k]};
-    (k < 3 ? centers[k] : radius) = about(p, arc.weight, k < 3 ? arc.first[k] : mpq_class(wall));
-  }
-  return motion_of(centers, radius, arc.weight);
+  const auto [x, y, z, radius] =
+      about_sphere(arc, {arc.first[0], arc.first[1], arc.first[2], wall});
+  return motion_of({x, y, z}, radius, arc.weight);
 }
 
 SphereMotion approach(const CyclidePiece& piece) {
@@ -87,34 +110,12 @@ namespace {
 // but for what was rounded, and on straight arcs one term is left, with nothing to cancel.
 class Steering {
  public:
-  Steering(const CyclidePiece& piece, double wall) {
-    const ExactPoint first = exact(piece.first), last = exact(piece.last), t = exact(piece.tangent);
-    ExactPoint d;
-    for (std::size_t k = 0; k < 4; ++k) {
-      d[k] = last[k] - first[k];
-    }
-    const ExactArc arc = exact_arc(piece);
-    pace_.emplace(squared_pace(arc));
-    const mpq_class weight = arc.weight[2];  // <D, D> / chord^2
-    rate_ = enclosed(2 * weight * weight * piece.chord);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      across_[k] = enclosed(t[i] * d[j] - t[j] * d[i]);
-      bend_[k] = enclosed(d[3] * t[k] - t[3] * d[k]);
-    }
-    if (const auto center = rounded_center(t, d)) {
-      off_center_.emplace(off_center(arc, *center));
-      for (std::size_t k = 0; k < 3; ++k) {
-        to_center_[k] = -Interval((*center)[k]);
-      }
-      height_ = Interval((*center)[3]) + piece.first.r - wall;
-    }
-  }
+  Steering(const CyclidePiece& piece, double wall) : Steering(exact_arc(piece), piece, wall) {}
 
   // v^2 - r'^2, given that, too, by what does not cancel: it has w^4 for a denominator.
   [[nodiscard]] Jet<3> pace(Jet<3> squared, const MovingSphere& sphere, double from,
                             double to) const {
-    const Jet<3> exact = pace_->over(from, to) / square(square(shortened<3>(sphere.weight)));
+    const Jet<3> exact = pace_.over(from, to) / square(square(shortened<3>(sphere.weight)));
     for (std::size_t order = 0; order < 3; ++order) {
       squared[order] = intersection(squared[order], exact[order]);
     }
@@ -157,6 +158,24 @@ class Steering {
   }
 
  private:
+  Steering(const ExactArc& arc, const CyclidePiece& piece, double wall) : pace_(squared_pace(arc)) {
+    const ExactPoint t = exact(piece.tangent), d = minus(exact(piece.last), arc.first);
+    const mpq_class weight = arc.weight[2];  // <D, D> / chord^2
+    rate_ = enclosed(2 * weight * weight * piece.chord);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      across_[k] = enclosed(t[i] * d[j] - t[j] * d[i]);
+      bend_[k] = enclosed(d[3] * t[k] - t[3] * d[k]);
+    }
+    if (const auto center = rounded_center(t, d)) {
+      off_center_.emplace(off_center(arc, *center));
+      for (std::size_t k = 0; k < 3; ++k) {
+        to_center_[k] = -Interval((*center)[k]);
+      }
+      height_ = Interval((*center)[3]) + piece.first.r - wall;
+    }
+  }
+
   template <std::size_t count>
   static void set(JetVec<count>& v, std::size_t order, const IntervalVec& to) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -167,7 +186,7 @@ class Steering {
   // Of the arc less its first sphere, in doubles; none where it has none, or too far away.
   static std::optional<std::array<double, 4>> rounded_center(const ExactPoint& t,
                                                              const ExactPoint& d) {
-    const mpq_class unit = product(t, t), along = product(t, d), squared = product(d, d);
+    const mpq_class unit = dot(t, t), along = dot(t, d), squared = dot(d, d);
     const mpq_class determinant = unit * squared - along * along;
     if (determinant == 0) {
       return std::nullopt;
@@ -185,46 +204,31 @@ class Steering {
 
   static Polynomial squared_pace(const ExactArc& arc) {
     const Polynomial slowing = derivative(arc.weight);
-    Polynomial sum{0};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Polynomial p =
-          about({arc.first[k], arc.middle[k], arc.last[k]}, arc.weight, arc.first[k]);
-      const Polynomial rate = difference(verification::product(derivative(p), arc.weight),
-                                         verification::product(p, slowing));
-      const Polynomial term = verification::product(rate, rate);
-      sum = difference(sum, k < 3 ? verification::product(term, {-1}) : term);
+    Coordinates rates = about_sphere(arc, arc.first);
+    for (Polynomial& p : rates) {
+      p = difference(product(derivative(p), arc.weight), product(p, slowing));
     }
-    return sum;
-  }
-
-  static mpq_class product(const ExactPoint& a, const ExactPoint& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - a[3] * b[3];
+    return squared(rates);
   }
 
   // w^3 <x - o, x'>: with y = w (x - o) and any number c, of q = <y, y> - c w^2 it is
   // w q' / 2 - w' q, and where o is the centre, q is 0.
   static Polynomial off_center(const ExactArc& arc, const std::array<double, 4>& center) {
-    Polynomial q{0};
+    ExactPoint o = arc.first;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Polynomial y = about({arc.first[k], arc.middle[k], arc.last[k]}, arc.weight,
-                                 arc.first[k] + mpq_class(center[k]));
-      const Polynomial term = verification::product(y, y);
-      q = difference(q, k < 3 ? verification::product(term, {-1}) : term);
+      o[k] += center[k];
     }
-    q = about(q, verification::product(arc.weight, arc.weight), q.front());
-    return difference(
-        verification::product(arc.weight, verification::product(derivative(q), {mpq_class(1, 2)})),
-        verification::product(derivative(arc.weight), q));
+    Polynomial q = squared(about_sphere(arc, o));
+    q = about(q, product(arc.weight, arc.weight), q.front());
+    return difference(product(arc.weight, product(derivative(q), {mpq_class(1, 2)})),
+                      product(derivative(arc.weight), q));
   }
 
   Interval rate_, height_;
   IntervalVec across_, bend_, to_center_;
-  std::optional<Enclosed<3>> off_center_, pace_;
+  Enclosed<3> pace_;
+  std::optional<Enclosed<3>> off_center_;
 };
-
-}  // namespace
-
-namespace {
 
 // Circles lie on their spheres, however wide the intervals are that they are computed from.
 void keep_within_sphere(MovingDisc& disc, const JetVec<1>& center, const Interval& radius) {
