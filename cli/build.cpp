@@ -295,7 +295,7 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
     options.margin = margin.absolute;
     options.relative_margin = margin.relative;
   }
-  options.most_of_piece = most_of_piece(arguments);
+  prepare_pieces(arguments, options);
 }
 
 // What is no part of the report, as the same build without it would say the same.

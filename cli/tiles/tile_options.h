@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,9 +17,12 @@ class App;
 
 namespace dupin::cli {
 
-/// What hangs together and is expected to have more triangles is divided into pieces of at most
-/// about so many. Files depend on it.
-constexpr std::size_t kPieceTriangles = 1'000'000;
+/// What hangs together and is expected to have more triangles is divided. Files depend on it.
+constexpr std::size_t kUndividedTriangles = 1'000'000;
+
+/// Into pieces of at most about so many, what a document describes: the smaller they are, the less
+/// is made again after an edit. Unions have larger ones, as operands are cut at every seam.
+constexpr std::size_t kPieceTriangles = 100'000;
 
 /// So often pieces are made that turn out not to fit; then nothing is divided.
 constexpr int kMostRounds = 4;
@@ -38,7 +42,7 @@ template <class Attempt>
 /// --tiles, --memory, --cache and --cache-size as typed.
 struct TileArguments {
   std::size_t tiles = 0;
-  std::size_t piece = kPieceTriangles;  ///< other numbers are for tests
+  std::optional<std::size_t> piece;  ///< of both, for tests
   std::string memory, cache, cache_size;
 };
 

@@ -273,15 +273,14 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
       ->needs(cache);
 }
 
-double most_of_piece(const BuildArguments& arguments) {
+void prepare_pieces(const BuildArguments& arguments, BuildOptions& options) {
   const bool is_looked_at = !arguments.page.empty() || arguments.quality == kForSolvers ||
                             !arguments.cross_check.empty() || arguments.source.keep_going;
-  if (is_looked_at || is_step(arguments.output) || is_volume(arguments.output)) {
-    return 0;
+  if (!is_looked_at && !is_step(arguments.output) && !is_volume(arguments.output) &&
+      why_not_tiled(tiled_destination(arguments.output)).empty()) {
+    options.most_of_piece = double(arguments.tiles.piece.value_or(kPieceTriangles));
+    options.most_undivided = double(arguments.tiles.piece.value_or(kUndividedTriangles));
   }
-  return why_not_tiled(tiled_destination(arguments.output)).empty()
-             ? static_cast<double>(arguments.tiles.piece)
-             : 0;
 }
 
 void check_tiled(const BuildArguments& arguments) {

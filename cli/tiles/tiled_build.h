@@ -18,9 +18,9 @@ namespace dupin::cli {
 /// Adds --tiles, --memory and --cache.
 void add_build_tile_options(CLI::App& command, TileArguments& arguments);
 
-/// Of how many triangles, expected, pieces may be for this output; 0 where nothing is divided: only
-/// what is written to a binary STL or PLY, and not looked at otherwise, is.
-[[nodiscard]] double most_of_piece(const BuildArguments& arguments);
+/// Of how many triangles, expected, pieces may be for this output. Nothing is divided but what is
+/// written to a binary STL or PLY, or a `.pvtu`, and not looked at otherwise.
+void prepare_pieces(const BuildArguments& arguments, BuildOptions& options);
 
 /// Throws UsageError for what a build in tiles cannot do, before anything is built.
 void check_tiled(const BuildArguments& arguments);

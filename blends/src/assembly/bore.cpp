@@ -451,14 +451,12 @@ std::optional<std::string> thinner_walls(const std::array<const PartSurface*, 2>
                      : std::optional("walls " + decimal(*thinner) + " times as thick");
 }
 
-PipeWalls pipe_walls(const Assembly& assembly, const std::array<std::string, 2>& names) {
+PipeWalls pipe_walls(const Assembly& assembly, const std::array<std::uint32_t, 2>& parts) {
   PipeWalls result;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto part = std::ranges::find(assembly.parts, names.at(i), &Part::name);
-    if (part != assembly.parts.end()) {
-      result.walls.at(i) = wall_of(assembly, *part);
-      result.outward.at(i) = outward_distance(assembly, *part);
-    }
+    const Part& part = assembly.parts[parts.at(i)];
+    result.walls.at(i) = wall_of(assembly, part);
+    result.outward.at(i) = outward_distance(assembly, part);
   }
   return result;
 }

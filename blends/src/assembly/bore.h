@@ -47,9 +47,9 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 [[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                     const std::vector<double>& walls);
 
-/// Of the parts of these names.
+/// Of these of Assembly::parts.
 [[nodiscard]] PipeWalls pipe_walls(const Assembly& assembly,
-                                   const std::array<std::string, 2>& names);
+                                   const std::array<std::uint32_t, 2>& parts);
 
 /// Whether the bore of both pipes has its fillet, too, where the outer ball has this radius, as far
 /// as their walls leave a bore; true where not both are hollow.

@@ -466,7 +466,7 @@ class Resolver {
     const assembly::PartKind& kind = part_kind(assembly_.parts[part].shape);
     const assembly::FilletPipes pipes = kind.pipes(assembly_.parts[part].shape);
     ResolvedFillet result{assembly_.parts[part].name, part, {}, {}};
-    std::array<const PartSurface*, 2> surfaces{};
+    assembly::PipesOfFillet given;
     for (std::size_t i = 0; i < 2; ++i) {
       const auto found = index_.find(pipes.names.at(i));
       if (found == index_.end()) {
@@ -475,11 +475,12 @@ class Resolver {
       if (!part_kind(assembly_.parts[found->second].shape).is_part()) {
         fail(part, pipes.key, "'" + pipes.names.at(i) + "' is no pipe or cone");
       }
-      surfaces.at(i) = &shapes_[found->second];
+      given.surfaces.at(i) = &shapes_[found->second];
+      given.parts.at(i) = found->second;
       result.between.at(i) = position[found->second];
     }
     result.shape = assembly::with_part_context(assembly_, part, [&] {
-      return kind.fillet(context(part), assembly_.parts[part].shape, surfaces);
+      return kind.fillet(context(part), assembly_.parts[part].shape, given);
     });
     refuse_joined(result, pipes);
     return result;
@@ -536,8 +537,9 @@ void for_each_fillet(const Assembly& assembly, ResolvedAssembly& resolved, const
   for_each_in_parallel(resolved.fillets.size(), [&](std::size_t i) {
     ResolvedFillet& fillet = resolved.fillets[i];
     const PartShape& shape = assembly.parts[fillet.index].shape;
-    const std::array<const PartSurface*, 2> pipes{&resolved.parts[fillet.between[0]].shape,
-                                                  &resolved.parts[fillet.between[1]].shape};
+    const ResolvedPart &first = resolved.parts[fillet.between[0]],
+                       &second = resolved.parts[fillet.between[1]];
+    const assembly::PipesOfFillet pipes{{&first.shape, &second.shape}, {first.index, second.index}};
     assembly::with_part_context(assembly, fillet.index,
                                 [&] { work(part_kind(shape), shape, pipes, fillet.shape); });
   });

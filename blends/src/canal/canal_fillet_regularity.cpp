@@ -111,19 +111,23 @@ CanalRegularity prove_regular(const CanalFillet& fillet) {
     add(quarter * std::numbers::pi / 2, (quarter + 1) * std::numbers::pi / 2);
   }
   double sampled = std::numeric_limits<double>::infinity();
+  double shortest = std::numeric_limits<double>::infinity();  // of the proved leaves looked into
   while (true) {
     const Leaf worst = leaves.top();
-    const double middle = worst.at.from + (worst.at.to - worst.at.from) / 2;
-    const Bounds point = bounds(fillet, {middle, middle});
-    if (point.refuted()) {
-      return {Verdict::refuted,
-              point.regularity.upper,
-              point.radius.upper,
-              {middle, middle},
-              leaves.size()};
-    }
-    sampled = std::min(sampled, point.regularity.upper);
+    const double length = worst.at.to - worst.at.from, middle = worst.at.from + length / 2;
     const bool proved = worst.bounds.proved();
+    if (!proved || length < shortest) {
+      const Bounds point = bounds(fillet, {middle, middle});
+      if (point.refuted()) {
+        return {Verdict::refuted,
+                point.regularity.upper,
+                point.radius.upper,
+                {middle, middle},
+                leaves.size()};
+      }
+      sampled = std::min(sampled, point.regularity.upper);
+      shortest = proved ? length : shortest;
+    }
     if (proved && worst.bounds.regularity.lower >= kShare * sampled) {
       return conclusion(std::move(leaves), Verdict::proved);
     }

@@ -22,12 +22,18 @@ Interval less_quarters(double x, long quarters) {
 }
 
 // 1 - s/a (1 - s/b (1 - ...)) with a = n (n + 1), b = (n + 2) (n + 3), ...: of s in [0, 1] every
-// bracket lies in [0, 1], and so does the one that is left out.
+// bracket lies in [0, 1], and so does the one that is left out. Nothing is negative, so that ends
+// come of ends, which is three times as fast as products of any signs.
 Interval alternating(const Interval& s, int n) {
   constexpr int kTerms = 10;
+  const double least = std::max(s.lower, 0.0);
   Interval bracket(0, 1);
   for (int i = n + 2 * (kTerms - 1); i >= n; i -= 2) {
-    bracket = Interval(1) - s / Interval(i * (i + 1)) * bracket;
+    const double a = i * (i + 1);
+    const Interval term = outward(least / a, s.upper / a);
+    const Interval rest = outward(std::max(term.lower, 0.0) * std::max(bracket.lower, 0.0),
+                                  term.upper * bracket.upper);
+    bracket = outward(1 - rest.upper, 1 - rest.lower);
   }
   return bracket;
 }

@@ -47,9 +47,9 @@ struct BuildOptions {
   /// Boxes about parts are wider by so much, and by so much of the largest coordinate, where
   /// districts are found (none negative): each can be rounded by itself if no point moves further.
   double margin = 0, relative_margin = 0;
-  /// What hangs together and is expected to have more triangles than this is divided into pieces of
-  /// about so many, where it can be; 0: nothing is. For DistrictBuild, but not for `build`.
-  double most_of_piece = 0;
+  /// What hangs together and is expected to have more triangles than both is divided into pieces of
+  /// about the first, where it can be; 0: nothing is. For DistrictBuild, but not for `build`.
+  double most_of_piece = 0, most_undivided = 0;
   std::set<std::string> kept_seams;  ///< names of those at which nothing is divided
 };
 

@@ -39,7 +39,7 @@ ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
 }
 
 void require_margins(const BuildOptions& options) {
-  if (std::isnan(options.most_of_piece)) {
+  if (std::isnan(options.most_of_piece) || std::isnan(options.most_undivided)) {
     throw Error(Errc::invalid_argument, "the most triangles of a piece must be a number");
   }
   for (const double margin : {options.margin, options.relative_margin}) {
@@ -226,9 +226,9 @@ struct DistrictBuild::Plan {
  private:
   void divide() {
     if (options.most_of_piece > 0) {
-      assembly::DividedDistricts made =
-          assembly::divided(assembly, resolved, std::move(districts),
-                            {options.most_of_piece, options.kept_seams, options.region});
+      assembly::DividedDistricts made = assembly::divided(
+          assembly, resolved, std::move(districts),
+          {options.most_of_piece, options.most_undivided, options.kept_seams, options.region});
       districts = std::move(made.districts);
       seams = std::move(made.seams);
       cut = std::move(made.cut);

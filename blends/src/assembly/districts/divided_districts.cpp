@@ -33,6 +33,7 @@ class Divider {
         whole_(resolved),
         division_(division),
         distances_(distances_between(assembly, resolved, division.region)),
+        fillets_(resolved.fillets.size()),
         rule_{division.kept, distances_, division.region} {}
 
   void add(DistrictParts members) {
@@ -41,7 +42,11 @@ class Divider {
       return;
     }
     const District whole = district_with_loops(assembly_, resolved(), members);
-    if (!(expected_triangles(whole, division_.region) > division_.most)) {
+    for (std::size_t i = 0; i < members.fillets.size(); ++i) {
+      fillets_[members.fillets[i]] = whole.resolved.fillets[i].shape;
+    }
+    const double enough = std::max(division_.most, division_.undivided);
+    if (!(expected_triangles(whole, division_.region, enough) > enough)) {
       districts_.push_back(std::move(members));
       return;
     }
@@ -90,8 +95,11 @@ class Divider {
     const std::vector<DistrictParts> parts = pieces_of(whole, atoms.boxes, atoms.rings, atoms.of);
     std::vector<double> result(parts.size());
     for_each_in_parallel(parts.size(), [&](std::size_t i) {
-      result[i] = expected_triangles(district_with_loops(assembly_, whole.resolved, parts[i]),
-                                     division_.region);
+      District own = district(assembly_, whole.resolved, parts[i]);
+      for (std::size_t k = 0; k < parts[i].fillets.size(); ++k) {
+        own.resolved.fillets[k].shape = fillets_[parts[i].fillets[k]];
+      }
+      result[i] = expected_triangles(own, division_.region);
     });
     return result;
   }
@@ -207,31 +215,54 @@ class Divider {
   const Division& division_;
   std::optional<std::vector<double>> distances_;
   DividingRule rule_;
+  std::vector<Fillet> fillets_;  // with their loops, of districts that are divided
   std::optional<ResolvedAssembly> cut_;
   std::vector<DistrictParts> districts_;
   std::vector<Seam> seams_;
 };
 
+/// What is expected of a district, each when it is asked for.
+class Expectation {
+ public:
+  explicit Expectation(const District& own)
+      : own_(own),
+        runs_(welded_runs(own.resolved)),
+        grid_(own.piece ? own.piece->grid : lattice_spacing(own.assembly, own.resolved)) {}
+
+  [[nodiscard]] double surface() const {
+    return expected_triangles(own_.assembly, own_.resolved, runs_, grid_, given());
+  }
+  [[nodiscard]] double crossings() const {
+    return expected_crossings(own_.assembly, own_.resolved, runs_, grid_, given());
+  }
+
+ private:
+  [[nodiscard]] std::span<const RingSampling> given() const {
+    return own_.piece ? std::span<const RingSampling>(own_.piece->samplings)
+                      : std::span<const RingSampling>();
+  }
+
+  const District& own_;
+  std::vector<WeldedRun> runs_;
+  double grid_;
+};
+
 }  // namespace
 
 ExpectedTriangles expected_of(const District& own) {
-  const std::vector<WeldedRun> runs = welded_runs(own.resolved);
-  const double grid = own.piece ? own.piece->grid : lattice_spacing(own.assembly, own.resolved);
-  const std::span<const RingSampling> given =
-      own.piece ? std::span<const RingSampling>(own.piece->samplings)
-                : std::span<const RingSampling>();
-  return {expected_triangles(own.assembly, own.resolved, runs, grid, given),
-          expected_crossings(own.assembly, own.resolved, runs, grid, given)};
+  const Expectation expectation(own);
+  return {expectation.surface(), expectation.crossings()};
 }
 
-double expected_triangles(const District& own, std::optional<Region> region) {
-  const auto [surface, crossings] = expected_of(own);
+double expected_triangles(const District& own, std::optional<Region> region, double enough) {
+  const Expectation expectation(own);
   const auto distances = distances_between(own.assembly, own.resolved, region);
   const bool has_second =
-      distances && std::ranges::any_of(*distances, [](double distance) { return distance > 0; });
+      region == Region::insulation ||
+      (distances && std::ranges::any_of(*distances, [](double distance) { return distance > 0; }));
   // These surfaces have about as many triangles as the first ones, and cross those of others, too.
-  return has_second || region == Region::insulation ? 2 * surface + 4 * crossings
-                                                    : surface + crossings;
+  const double surface = (has_second ? 2 : 1) * expectation.surface();
+  return surface > enough ? surface : surface + (has_second ? 4 : 1) * expectation.crossings();
 }
 
 DividedDistricts divided(const Assembly& assembly, const ResolvedAssembly& resolved,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,7 +17,8 @@ namespace dupin::assembly {
 
 /// How a district is divided.
 struct Division {
-  double most = 0;  ///< triangles that are expected of a piece, if it can be divided so far
+  double most = 0;       ///< triangles that are expected of a piece, if it can be divided so far
+  double undivided = 0;  ///< districts of which no more are expected are left whole
   std::set<std::string> kept;         ///< names of seams where nothing is to be divided
   std::optional<Region> region = {};  ///< that is to be made
 };
@@ -49,7 +51,8 @@ struct ExpectedTriangles {
   double surface = 0, crossings = 0;
 };
 [[nodiscard]] ExpectedTriangles expected_of(const District& district);
-/// All of a region of it.
-[[nodiscard]] double expected_triangles(const District& district, std::optional<Region> region);
+/// All of a region of it; of its surfaces alone, if these are expected to have more than enough.
+[[nodiscard]] double expected_triangles(const District& district, std::optional<Region> region,
+                                        double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace dupin::assembly

@@ -14,12 +14,12 @@ struct PartRules<"cope"> {
   static FilletPipes pipes(const CopeOfEnd& cope) { return {"to", {cope.end.part, cope.to}}; }
 
   static Fillet fillet(const PartContext& context, const CopeOfEnd& cope,
-                       const std::array<const PartSurface*, 2>& surfaces) {
+                       const PipesOfFillet& pipes) {
     if (cope.end.part == cope.to) {
       fail(context, "to", "an end is cut to fit another part");
     }
     const std::array<std::string, 2> names{cope.end.part, cope.to};
-    Fillet result = cope_between(surfaces, names, pipe_walls(context.assembly, names));
+    Fillet result = cope_between(pipes.surfaces, names, pipe_walls(context.assembly, pipes.parts));
     if (!result.buried[0].at(at(cope.end.end))) {
       fail(context, "end",
            "'" + to_string(cope.end) + "' does not lie inside '" + cope.to +

@@ -16,23 +16,23 @@ struct PartRules<"fillet"> {
   static FilletPipes pipes(const FilletBetween& fillet) { return {"between", fillet.between}; }
 
   static Fillet fillet(const PartContext& context, const FilletBetween& fillet,
-                       const std::array<const PartSurface*, 2>& surfaces) {
+                       const PipesOfFillet& pipes) {
     check_positive(context, fillet.radius, "radius");
     if (fillet.between[0] == fillet.between[1]) {
       fail(context, "between", "a fillet is between two different parts");
     }
-    return fillet_without_loops(surfaces, fillet.between, fillet.radius,
-                                pipe_walls(context.assembly, fillet.between));
+    return fillet_without_loops(pipes.surfaces, fillet.between, fillet.radius,
+                                pipe_walls(context.assembly, pipes.parts));
   }
 
   static void find_loops(const Assembly& assembly, const FilletBetween& fillet,
-                         const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
-    assembly::find_loops(found, surfaces, fillet.between, pipe_walls(assembly, fillet.between));
+                         const PipesOfFillet& pipes, Fillet& found) {
+    assembly::find_loops(found, pipes.surfaces, fillet.between, pipe_walls(assembly, pipes.parts));
   }
 
   static void prove(const Assembly& assembly, const FilletBetween& fillet,
-                    const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
-    assembly::prove(found, surfaces, fillet.between, pipe_walls(assembly, fillet.between));
+                    const PipesOfFillet& pipes, Fillet& found) {
+    assembly::prove(found, pipes.surfaces, fillet.between, pipe_walls(assembly, pipes.parts));
   }
 };
 template const PartKind& part_kind<"fillet">();

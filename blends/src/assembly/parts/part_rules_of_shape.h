@@ -17,7 +17,7 @@ namespace dupin::assembly {
 ///     };
 ///     template const PartKind& part_kind<"sphere">();
 ///
-/// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, surfaces)`.
+/// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, pipes)`.
 /// What it need not say: `needs(shape)` (no other parts' surfaces), `kIsTangent` and `kNamesEnd`
 /// (false; a kind that names an end has no geometry), `kClosedEnds` (none), `kIsPad` (false),
 /// `portless(shape)` (it has ports), `notes(shape, surface)` (none), `kHasBore` with
@@ -38,9 +38,9 @@ concept NamesEnd = requires {
 
 template <class Rules, class Shape>
 concept IsFillet = requires(const PartContext& context, const Shape& shape,
-                            const std::array<const PartSurface*, 2>& surfaces) {
+                            const PipesOfFillet& pipes) {
   { Rules::pipes(shape) } -> std::same_as<FilletPipes>;
-  { Rules::fillet(context, shape, surfaces) } -> std::same_as<Fillet>;
+  { Rules::fillet(context, shape, pipes) } -> std::same_as<Fillet>;
 };
 
 template <class Rules, class Shape>

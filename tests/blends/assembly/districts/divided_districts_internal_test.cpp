@@ -38,7 +38,8 @@ Assembly header(int pipes) {
 DividedDistricts divided_of(const Assembly& assembly, double most,
                             const std::set<std::string>& kept = {}) {
   const ResolvedAssembly resolved = resolve(assembly);
-  return divided(assembly, resolved, districts_of_parts(resolved, kMargin), {most, kept});
+  return divided(assembly, resolved, districts_of_parts(resolved, kMargin),
+                 {.most = most, .kept = kept});
 }
 
 double triangles_of(const Assembly& assembly, const DistrictParts& members) {
@@ -104,6 +105,21 @@ TEST(DividedDistricts, of_few_parts_or_triangles_stay_whole) {
   EXPECT_TRUE(divided_of(header(40), 1e9).seams.empty());
   EXPECT_EQ(divided_of(header(16), 1).districts.size(), 1);
   EXPECT_FALSE(divided_of(header(16), 1).districts.at(0).piece);
+}
+
+// Small pieces are worth while in large models only.
+TEST(DividedDistricts, of_as_many_triangles_as_may_be_undivided_stay_whole) {
+  const Assembly assembly = header(40);
+  const ResolvedAssembly resolved = resolve(assembly);
+  const auto pieces = [&](double undivided) {
+    return divided(assembly, resolved, districts_of_parts(resolved, kMargin),
+                   {.most = 100, .undivided = undivided})
+        .districts.size();
+  };
+  const double all = triangles_of(assembly, divided_of(assembly, 1e9).districts.at(0));
+  EXPECT_EQ(pieces(1.01 * all), 1);
+  EXPECT_EQ(pieces(.99 * all), pieces(0));
+  EXPECT_GT(pieces(0), 20);
 }
 
 TEST(DividedDistricts, are_not_divided_where_seams_are_kept) {
