@@ -13,6 +13,7 @@
 
 #include "assembly/part_box.h"
 #include "assembly/part_context.h"
+#include "canal/contact_feet.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
@@ -166,9 +167,10 @@ class Estimator {
     constexpr int kFeet = 64;
     std::array<std::vector<Vec3>, 2> feet;
     for (int i = 0; i < kFeet; ++i) {
-      const ContactArc arc = contact_arc(loop.quadrics, ball(loop, kTurn * i / kFeet));
-      feet[0].push_back(arc.feet[0]);
-      feet[1].push_back(arc.feet[1]);
+      const auto [first, second] =
+          canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kFeet));
+      feet[0].push_back(first);
+      feet[1].push_back(second);
     }
     for (std::size_t side = 0; side < 2; ++side) {
       const Chain& chain = std::get<Chain>(resolved_.parts[between.at(side)].shape);

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "assembly/bore.h"
+#include "canal/contact_feet.h"
 #include "canal/straight_pipe.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
@@ -45,9 +46,10 @@ const RingedSurface& straight_tube(const PartSurface& surface, const std::string
 std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
   std::array<std::vector<Vec3>, 2> feet;
   for (int i = 0; i < kSamples; ++i) {
-    const ContactArc arc = contact_arc(loop.quadrics, ball(loop, kTurn * i / kSamples));
-    feet[0].push_back(arc.feet[0]);
-    feet[1].push_back(arc.feet[1]);
+    const auto [first, second] =
+        canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kSamples));
+    feet[0].push_back(first);
+    feet[1].push_back(second);
   }
   return feet;
 }

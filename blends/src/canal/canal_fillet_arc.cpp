@@ -3,42 +3,20 @@
 
 #include <Eigen/Geometry>
 
+#include "canal/contact_feet.h"
 #include "dupin/blends/canal_fillet.h"
-#include "dupin/blends/pe_arc.h"
-#include "dupin/kernel/decimal.h"
-#include "dupin/kernel/error.h"
 
 namespace dupin {
-namespace {
-
-/// The outward unit normal of the quadric where the ball touches it: away from the sphere inside
-/// the quadric that touches it there too.
-Vec3 normal_at_foot(const Ring& quadric, const MovingBall& ball) {
-  if (quadric.ellipse) {
-    throw Error(Errc::invalid_argument, "a ball rolls on circular cylinders and cones only");
-  }
-  const PeVector sphere = contact_sphere(quadric), along = contact_tangent(quadric);
-  const PeVector inside =
-      sphere + product(PeVector{ball.center, -ball.radius} - sphere, along) * along;
-  return (ball.center - inside.m).normalized();
-}
-
-}  // namespace
 
 ContactArc contact_arc(const std::array<Ring, 2>& quadrics, const MovingBall& ball) {
-  const double speed = ball.velocity.norm(), lag = ball.radius_rate / speed;
-  if (!(std::abs(lag) < 1)) {
-    throw Error(Errc::irregular_surface,
-                "the ball's radius changes as fast as its centre moves, rate " +
-                    decimal(lag, kMessageDigits) + ": it has no envelope there");
-  }
-  const Vec3 ahead = ball.velocity / speed;
+  const double lag = canal::radius_lag(ball);
+  const Vec3 ahead = ball.velocity / ball.velocity.norm();
   ContactArc arc;
   arc.center = ball.center - ball.radius * lag * ahead;
   arc.radius = ball.radius * std::sqrt((1 - lag) * (1 + lag));
   std::array<Vec3, 2> to_feet;
   for (std::size_t i = 0; i < 2; ++i) {
-    arc.normals[i] = normal_at_foot(quadrics[i], ball);
+    arc.normals[i] = canal::normal_at_foot(quadrics[i], ball);
     arc.feet[i] = ball.center - ball.radius * arc.normals[i];
     const Vec3 to_foot = lag * ahead - arc.normals[i];
     to_feet[i] = (to_foot - to_foot.dot(ahead) * ahead).normalized();

@@ -33,8 +33,8 @@ class Divider {
         whole_(resolved),
         division_(division),
         distances_(distances_between(assembly, resolved, division.region)),
-        fillets_(resolved.fillets.size()),
-        rule_{division.kept, distances_, division.region} {}
+        rule_{division.kept, distances_, division.region},
+        fillets_(resolved.fillets.size()) {}
 
   void add(DistrictParts members) {
     if (members.parts.size() < kLeastParts) {
