@@ -11,7 +11,6 @@
 
 #include <Eigen/Geometry>
 
-#include "canal/contact_feet.h"
 #include "canal/quadric_pair.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -105,10 +104,10 @@ std::optional<std::string> fault_of(const CanalFillet& fillet) {
     if (!at.center.allFinite()) {
       return "neither quadric passes through the other: the ball closes no loop";
     }
-    const auto feet = canal::contact_feet(fillet.quadrics, at);
+    const ContactArc arc = contact_arc(fillet.quadrics, at);
     for (std::size_t i = 0; i < 2; ++i) {
       const Ring& ring = fillet.quadrics[i];
-      if (!(ring.radius + ring.slope * (feet[i] - ring.center).dot(ring.normal) > 0)) {
+      if (!(ring.radius + ring.slope * (arc.feet[i] - ring.center).dot(ring.normal) > 0)) {
         return "the ball runs beyond the apex of a cone before it has closed a loop";
       }
     }
