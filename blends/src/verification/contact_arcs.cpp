@@ -37,15 +37,15 @@ BallJets<count> balls_on(const CanalFillet& loop, const TurnStretch& turn) {
 // Where generators meet a cone depends on the angle in many ways at once, which intervals take for
 // independent: only short stretches would do without Taylor's formula.
 BallJets<kOrders> balls_around(const CanalFillet& loop, const TurnStretch& middle,
-                               const TurnStretch& all, double reach) {
+                               const TurnStretch& all) {
   constexpr std::size_t kMore = kOrders + 4;
   if (!rolls_on_cones(loop)) {
     return balls_on<kOrders>(loop, all);
   }
   spend(kConeWork);
   const auto here = balls_on<kMore>(loop, middle), everywhere = balls_on<kMore>(loop, all);
-  return {by_taylor<kOrders>(here.center, everywhere.center, reach),
-          by_taylor<kOrders>(here.radius, everywhere.radius, reach)};
+  return {by_taylor<kOrders>(here.center, everywhere.center, all.reach),
+          by_taylor<kOrders>(here.radius, everywhere.radius, all.reach)};
 }
 
 std::optional<ArcJets> arc_jets(const CanalFillet& loop, const BallJets<kOrders>& balls) {
@@ -170,17 +170,16 @@ bool has_corner(const CanalFillet& loop, double t) {
 std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const ParameterInterval& t) {
   const double at = std::midpoint(t.from, t.to);
   const auto turn = turn_stretch(t), middle_turn = turn_stretch({at, at});
-  const auto reach = turn_reach(t);
-  if (!turn || !middle_turn || !reach) {
+  if (!turn || !middle_turn) {
     return std::nullopt;
   }
   spend(kArcWork);
-  const auto all = arc_jets(loop, balls_around(loop, *middle_turn, *turn, *reach)),
+  const auto all = arc_jets(loop, balls_around(loop, *middle_turn, *turn)),
              middle = arc_jets(loop, balls_on<kOrders>(loop, *middle_turn));
   if (!all || !middle) {
     return std::nullopt;
   }
-  const Enclosures over(*middle, *all, *reach);
+  const Enclosures over(*middle, *all, turn->reach);
   ContactArcs arcs;
   arcs.length = turn->length;
   arcs.ball = over([](const ArcJets& j) { return j.ball; });

@@ -174,13 +174,12 @@ bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const Parame
   const double middle = std::midpoint(t.from, t.to);
   // Sixteenths of a loop and their halves lie in one half of it.
   const TurnStretch all = turn_stretch(t).value(), at = turn_stretch({middle, middle}).value();
-  const double reach = turn_reach(t).value();
   const auto balls = std::visit(BallReader<kOrders>(all), loop.motion);
   const auto ball = std::visit(BallReader<kOrders>(at), loop.motion);
   const Interval speed = sqrt(squared_norm(derivative(balls.center)))[0];
   const Interval sine = Interval(balls.radius[1].magnitude()) / speed;
   return std::all_of(loop.quadrics.begin(), loop.quadrics.end(), [&](const Ring& quadric) {
-    const TaylorRange off = taylor_range(misfit(quadric, ball), misfit(quadric, balls), reach);
+    const TaylorRange off = taylor_range(misfit(quadric, ball), misfit(quadric, balls), all.reach);
     // The sine of how far the foot is off the circle's plane differs by so much.
     const Interval lean = Interval(off.slope.magnitude()) / speed;
     // Where the ball may stand, or its circle has no radius, that is the line.

@@ -5,6 +5,7 @@
 
 #include "dupin/blends/canal_fillet.h"
 #include "verification/jet.h"
+#include "verification/taylor_jet.h"
 
 namespace dupin::verification {
 
@@ -13,9 +14,8 @@ using numbers::interval_vec;
 /// A stretch of a loop of balls. A loop has the parameters t in [0, 2]: the angle is
 /// chi = 2 psi - pi/2, and between the whole numbers i and i + 1, psi is i pi/2 and the angle whose
 /// tangent is (t - i) / (i + 1 - t). So nothing here is transcendental, and what may be a corner,
-/// at sin chi = 1 or -1, is at t = 1 or 0.
-struct TurnStretch {
-  Interval cosine, sine;            ///< of chi
+/// at sin chi = 1 or -1, is at t = 1 or 0. The middle is std::midpoint of both parameters.
+struct TurnStretch : AngleStretch {
   Interval half_cosine, half_sine;  ///< of psi: sin chi = 1 - 2 cos^2 psi = 2 sin^2 psi - 1
   double half_cosine_sign = 1;      ///< half_sine is never negative
   double length = 0;                ///< an upper bound of how much chi grows
@@ -24,13 +24,14 @@ struct TurnStretch {
 /// None unless it lies between two whole numbers.
 [[nodiscard]] std::optional<TurnStretch> turn_stretch(const ParameterInterval& t);
 
-/// At most how far chi is from that at the middle of the stretch.
-[[nodiscard]] std::optional<double> turn_reach(const ParameterInterval& t);
-
 /// Whether generators of cones lead the ball, which takes far more than those of cylinders.
 [[nodiscard]] bool rolls_on_cones(const CanalFillet& loop);
 /// In units of work, long jets of balls on cones.
 constexpr std::uint64_t kConeWork = 512;
+
+/// Of the quadratic equation that says where the generator of the second cone at the angle chi
+/// meets the first one, the fourth part of the discriminant.
+[[nodiscard]] AngleWave discriminant(const RollingOnCones& motion);
 
 /// Derivatives are those by chi.
 template <std::size_t count>
@@ -44,7 +45,8 @@ template <std::size_t count>
 class BallReader {
  public:
   explicit BallReader(const TurnStretch& t)
-      : half_cosine_sign_(t.half_cosine_sign),
+      : turn_(t),
+        half_cosine_sign_(t.half_cosine_sign),
         cosine_(waves(t.cosine, -t.sine, 1)),
         sine_(waves(t.sine, t.cosine, 1)),
         half_cosine_(waves(t.half_cosine, -t.half_sine, 0.5)),
@@ -71,7 +73,8 @@ class BallReader {
   }
 
   // Where the generator a + h b of the second quadric, h being its height over the ring, meets the
-  // first one: |w|^2 - (w.n)^2 = (r + q w.n)^2 with w = a + h b.
+  // first one: |w|^2 - (w.n)^2 = (r + q w.n)^2 with w = a + h b. Of that quadratic equation,
+  // quadratic h^2 + 2 half h + rest = 0.
   BallJets<count> operator()(const RollingOnCones& motion) const {
     const Ring &one = motion.first, &two = motion.second;
     const JetVec<count> around =
@@ -81,12 +84,10 @@ class BallReader {
     const JetVec<count> b = fixed(two.normal) + two.slope * around;
     const IntervalVec n = interval_vec(one.normal);
     const J an = dot(a, n), bn = dot(b, n), r = fixed(one.radius), q = fixed(one.slope);
-    const J e0 = r + q * an, e1 = q * bn;
-    const J quadratic = squared_norm(b) - square(bn) - square(e1);
-    const J half = dot(a, b) - an * bn - e0 * e1;
-    const J rest = squared_norm(a) - square(an) - square(e0);
-    const J h =
-        (motion.side * verification::sqrt(square(half) - quadratic * rest) - half) / quadratic;
+    const J e1 = q * bn, quadratic = squared_norm(b) - square(bn) - square(e1);
+    const J half = dot(a, b) - an * bn - (r + q * an) * e1;
+    const J squared = wave_jet<count>(discriminant(motion), turn_);  // half^2 - quadratic * rest
+    const J h = (motion.side * verification::sqrt(squared) - half) / quadratic;
     return {fixed(one.center) + a + h * b, fixed(motion.radius)};
   }
 
@@ -184,6 +185,7 @@ class BallReader {
     return result;
   }
 
+  TurnStretch turn_;
   double half_cosine_sign_;
   J cosine_, sine_, half_cosine_, half_sine_;
 };

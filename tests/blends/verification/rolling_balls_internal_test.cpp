@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -50,15 +51,18 @@ TEST(TurnStretch, is_none_beyond_a_half) {
 
 TEST(TurnStretch, reaches_as_far_from_its_middle_as_the_longer_half) {
   for (const ParameterInterval& t : {ParameterInterval{0, .5}, {.5, .9375}, {1, 1.5}, {1.5, 2}}) {
-    const auto reach = turn_reach(t);
-    ASSERT_TRUE(reach);
+    const auto turn = turn_stretch(t);
+    ASSERT_TRUE(turn);
     const double middle = test::angle_at((t.from + t.to) / 2);
     const double end = t.to == 2 ? 3 * std::numbers::pi / 2 : test::angle_at(t.to);
     const double most = std::max(middle - test::angle_at(t.from), end - middle);
-    EXPECT_GE(*reach, most - 1e-15);
-    EXPECT_LE(*reach, 1.25 * most);
+    EXPECT_GE(turn->reach, most - 1e-15);
+    EXPECT_LE(turn->reach, 1.25 * most);
+    EXPECT_TRUE(holds(turn->middle_cosine, std::cos(middle), 1e-15));
+    EXPECT_TRUE(holds(turn->middle_sine, std::sin(middle), 1e-15));
+    EXPECT_LT(turn->middle_sine.upper - turn->middle_sine.lower, 1e-14);
+    EXPECT_LT(turn->middle_cosine.upper - turn->middle_cosine.lower, 1e-14);
   }
-  EXPECT_FALSE(turn_reach({1.75, 2.25}));
 }
 
 // What the evaluator says, whose formulas are written by another hand, is in the enclosures, and
@@ -92,6 +96,34 @@ TEST(BallReader, holds_the_balls_of_all_motions) {
         }
       }
     }
+  }
+}
+
+double product(const Ring& ring, const Vec3& a, double a_weight, const Vec3& b, double b_weight) {
+  const double an = a.dot(ring.normal), bn = b.dot(ring.normal);
+  return a.dot(b) - an * bn -
+         (ring.radius * a_weight + ring.slope * an) * (ring.radius * b_weight + ring.slope * bn);
+}
+
+TEST(Discriminant, is_that_of_where_generators_meet_the_other_cone) {
+  const RollingOnCones motion{{{1, 2, 3}, Vec3(1, 0.25, -0.5).normalized(), 4, 0.125},
+                              {{2, 2.5, 4}, Vec3(0.5, 1, 2).normalized(), 1.5, -0.25},
+                              Vec3(2, -1, 0).normalized(),
+                              Vec3(0.5, 1, 2).normalized().cross(Vec3(2, -1, 0).normalized()),
+                              1,
+                              0.5};
+  const AngleWave wave = discriminant(motion);
+  for (const double t : {0.0, 0.25, 0.5, 0.875, 1.25, 1.625}) {
+    const double chi = test::angle_at(t);
+    const Vec3 around = std::cos(chi) * motion.zero + std::sin(chi) * motion.quarter;
+    const Vec3 a = motion.second.center - motion.first.center + motion.second.radius * around;
+    const Vec3 b = motion.second.normal + motion.second.slope * around;
+    const double half = product(motion.first, a, 1, b, 0);
+    const double truth =
+        half * half - product(motion.first, a, 1, a, 1) * product(motion.first, b, 0, b, 0);
+    const Interval found = wave_jet<1>(wave, turn_stretch({t, t}).value())[0];
+    EXPECT_TRUE(holds(found, truth, 1e-12)) << t;
+    EXPECT_LT(found.upper - found.lower, 1e-11);
   }
 }
 
