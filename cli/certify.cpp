@@ -116,6 +116,7 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
       };
       print_claim("margin above " + number(claims.regular.margin), claims.regular.verdict);
       print_claim("embedded", claims.embedded.verdict);
+      print_claim("touches its pipes", claims.contact ? Verdict::proved : Verdict::undecided);
       print_claim("mesh error", claims.mesh ? Verdict::proved : Verdict::undecided);
     }
   }
@@ -157,10 +158,28 @@ std::string mesh_error_text(const Certificate& certificate) {
          (open > 0 ? ", but for " + std::to_string(open) + " not proved" : "");
 }
 
+std::string contact_text(const Certificate& certificate) {
+  ContactClaim widest;
+  std::size_t proved = 0, open = 0;
+  for (const auto& loops : certificate.fillet_claims) {
+    for (const LoopClaims& claims : loops) {
+      const ContactClaim claim = claims.contact.value_or(ContactClaim());
+      widest.offset = std::max(widest.offset, claim.offset);
+      widest.deviation = std::max(widest.deviation, claim.deviation);
+      ++(claims.contact ? proved : open);
+    }
+  }
+  if (proved == 0) {
+    return "not proved";
+  }
+  return "within " + number(widest.offset) + unit_of(certificate) + ", tangent within " +
+         number(widest.deviation) + " rad" +
+         (open > 0 ? ", but for " + std::to_string(open) + " not proved" : "");
+}
+
 void print_certificate(std::ostream& out, const Certificate& certificate) {
   const RegularClaim* tightest = nullptr;
   std::string tightest_name;
-  double contact = 0, deviation = 0;
   const auto include = [&](const RegularClaim& regular, const std::string& name) {
     if (regular.verdict == Verdict::proved &&
         (tightest == nullptr || regular.margin < tightest->margin)) {
@@ -176,8 +195,6 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   }
   for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
     for (const LoopClaims& claims : certificate.fillet_claims[i]) {
-      contact = std::max(contact, claims.contact.offset);
-      deviation = std::max(deviation, claims.contact.deviation);
       include(claims.regular, certificate.fillets[i].name);
     }
   }
@@ -202,9 +219,7 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   }
   print_row(out, "mesh error", mesh_error_text(certificate));
   if (!certificate.fillets.empty()) {
-    print_row(
-        out, "fillets touch pipes",
-        "within " + number(contact) + unit + ", tangent within " + number(deviation) + " rad");
+    print_row(out, "fillets touch pipes", contact_text(certificate));
   }
   if (nearest != nullptr) {
     print_row(

@@ -1,3 +1,5 @@
+#include "dupin/blends/certify.h"
+
 #include <string>
 #include <vector>
 
@@ -5,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
 
 namespace dupin::test {
 namespace {
@@ -39,12 +43,15 @@ TEST_F(Certify, says_why_a_claim_about_a_fillet_is_undecided) {
       {"name": "run", "pipe": {"from": [-200,0,0], "to": [200,0,0], "radius": 38}},
       {"name": "b", "pipe": {"from": [0,0,0], "to": [0,0,160], "radius": 37.9999999}},
       {"name": "f", "fillet": {"between": ["run", "b"], "radius": 11}}]})");
-  const ProcessResult result = dupin({"certify", "near.json", "-o", "near.cert.json"});
+  const ProcessResult proved = dupin({"certify", "near.json", "-o", "near.cert.json"});
+  EXPECT_EQ(proved.exit_code, 0);
+  EXPECT_THAT(proved.out, HasSubstr(" mm, which does not prove that it keeps to the tolerance, "
+                                    "0.02 mm"));
+  const ProcessResult result =
+      dupin({"certify", "near.json", "-o", "near.cert.json", "--margin", "0.9"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("undecided: f: embedded, no proof was found within the work "
                                     "that a certificate may take: its pipes all but touch at ("));
-  EXPECT_THAT(result.out, HasSubstr(" mm, which does not prove that it keeps to the tolerance, "
-                                    "0.02 mm"));
   for (const std::string document : {"reducer.json", "tee.json"}) {
     const ProcessResult near = dupin({"certify", example(document), "-o", "near.cert.json"});
     EXPECT_EQ(near.exit_code, 0);
@@ -98,6 +105,23 @@ TEST_F(Certify, a_claim_that_is_too_bold_is_a_finding) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("refuted: blend: margin above 0.5\n"));
   EXPECT_EQ(dupin({"verify", "-", "-q"}, result.out).exit_code, 1);
+}
+
+TEST_F(Certify, says_of_a_fillet_that_nothing_is_proved_of_its_contact) {
+  Certificate certificate = certify(read_assembly(example("equal-tee.json")));
+  ASSERT_EQ(certificate.findings(), 0U);
+  const std::size_t loops = certificate.fillet_claims.at(0).size();
+  for (std::size_t open = 1; open <= loops; ++open) {
+    certificate.fillet_claims[0][open - 1].contact.reset();
+    folder_.write("open.cert.json", certificate_json(certificate));
+    const ProcessResult result = dupin({"verify", "open.cert.json"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.out, HasSubstr(": touches its pipes, no proof was found"));
+    EXPECT_THAT(result.out, HasSubstr("not proved           " + std::to_string(open) + "\n"));
+    EXPECT_THAT(result.out, HasSubstr(open == loops ? "fillets touch pipes  not proved"
+                                                    : ", but for 1 not proved"));
+    EXPECT_TRUE(json({"verify", "open.cert.json"}, 1).at("fillets").at(0).at("offset").is_null());
+  }
 }
 
 TEST_F(Certify, says_where_a_part_is_proved_to_cross_itself) {

@@ -543,7 +543,7 @@ std::size_t Certificate::findings() const {
     for (const LoopClaims& loop : loops) {
       count += loop.regular.verdict != Verdict::proved ? 1 : 0;
       count += loop.embedded.verdict != Verdict::proved ? 1 : 0;
-      count += loop.mesh ? 0 : 1;
+      count += (loop.contact ? 0 : 1) + (loop.mesh ? 0 : 1);
     }
   }
   const auto is_open = [](const ClearanceClaim& claim) { return claim.verdict != Verdict::proved; };

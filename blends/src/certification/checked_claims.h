@@ -68,9 +68,9 @@ struct MeshRooms {
 [[nodiscard]] std::optional<MeshClaim> agreed_of_hub(MeshClaim claim, const Sphere& hub,
                                                      ClaimWork& work);
 
-/// A loop of a fillet, which outlives what is read of it. What does not follow is undecided, but
-/// for the contact, which does. Throws Error{invalid_argument} where the ball touches beyond the
-/// ends of the pipes, of which `starts` are the rings that are no quadrics of the loop.
+/// A loop of a fillet, which outlives what is read of it. What does not follow is undecided. Throws
+/// Error{invalid_argument} where it is found that the ball touches beyond the ends of the pipes, of
+/// which `starts` are the rings that are no quadrics of the loop.
 [[nodiscard]] LoopClaims agreed(LoopClaims claims, LoopArcs& loop,
                                 const std::array<Ring, 2>& starts, double tolerance,
                                 ClaimWork& work);

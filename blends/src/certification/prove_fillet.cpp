@@ -56,12 +56,13 @@ class Cells {
  public:
   Cells(const CanalFillet& loop, double margin) : loop_(loop), margin_(margin) {}
 
-  // Leaves no longer than `longest`, halved until each is regular.
+  // Leaves no longer than `longest`, halved until each is regular, and not so long that its own
+  // arcs are not told apart, as near a sharp turn.
   bool append(double longest, const ParameterInterval& t, std::vector<ArcCell>& cells) {
-    constexpr double kShortest = 0x1p-40;
+    constexpr double kShortest = 0x1p-40, kShort = 0x1p-20;
     const double length = t.to - t.from;
     if (length <= longest) {
-      if (const auto& cell = at(t)) {
+      if (const auto& cell = at(t); cell && (length < kShort || is_apart(*cell))) {
         cells.push_back(*cell);
         return true;
       }
@@ -74,6 +75,13 @@ class Cells {
   [[nodiscard]] double margin() const { return margin_; }
 
  private:
+  // Nor would those be of a few such leaves, one after the other.
+  [[nodiscard]] bool is_apart(ArcCell cell) const {
+    constexpr double kLeaves = 4;
+    cell.arcs.length *= kLeaves;
+    return verification::holds(loop_, {cell}, {cell.t, cell.t, {}});
+  }
+
   const std::optional<ArcCell>& at(const ParameterInterval& t) {
     const std::pair key(t.from, t.to);
     auto known = known_.find(key);
@@ -228,38 +236,78 @@ double size_of(const CanalFillet& loop) {
          loop.quadrics[1].center.norm() + loop.quadrics[1].radius;
 }
 
-// The finest of the claims that holds: of the angle first, which far from the origin rounding hides
-// sooner than the distance.
-ContactClaim finest_contact(const CanalFillet& loop, const ContactClaim& finest,
-                            const ContactClaim& coarsest) {
-  ContactClaim claim{coarsest.offset, finest.deviation};
-  while (!verification::follows(loop, claim)) {
-    claim.deviation *= 4;
-    if (claim.deviation > coarsest.deviation) {
+// Where stretches have no length, enclosures are nearly as narrow as rounding lets them be. Corners
+// are left out.
+void refuse_far_balls(const CanalFillet& loop, const ContactClaim& coarsest) {
+  constexpr int kPlaces = 16;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double t = (2 * i + 1.0) / kPlaces;
+    if (!verification::touches_on(loop, coarsest, {t, t})) {
       throw Error(Errc::invalid_argument,
                   "the ball that rolls along it is further from the pipes than the tolerance");
     }
   }
-  for (double offset = finest.offset; offset < coarsest.offset; offset *= 4) {
-    if (verification::follows(loop, {offset, claim.deviation})) {
-      return {offset, claim.deviation};
-    }
-  }
-  return claim;
 }
 
-ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
-  constexpr double kFinest = 0x1p-48, kCoarsestAngle = 0x1p-12;
-  const ContactClaim finest{kFinest * size_of(loop), kFinest}, coarsest{tolerance, kCoarsestAngle};
-  ContactClaim claim;
-  for (const ContactClaim& from : {finest, coarsest}) {
-    if (ends_within(kWork * 2 / 3, [&] { claim = finest_contact(loop, from, coarsest); })) {
-      return claim;
+// A claim that holds on all of a loop, made wider where it does not hold at a place with room, in
+// one walk: what held before holds then, too. The angle is made wider first, which far from the
+// origin rounding hides sooner than the distance.
+class ContactSearch {
+ public:
+  ContactSearch(const CanalFillet& loop, const ContactClaim& finest, const ContactClaim& coarsest)
+      : loop_(loop), claim_(finest), coarsest_(coarsest) {}
+
+  std::optional<ContactClaim> run() {
+    constexpr int kStretches = 16, kHalvings = 32;
+    for (int i = 0; i < kStretches; ++i) {
+      if (!settle({2.0 * i / kStretches, 2.0 * (i + 1) / kStretches}, kHalvings)) {
+        return std::nullopt;
+      }
     }
+    return claim_;
   }
-  throw Error(Errc::limit_exceeded,
-              "how near its ball keeps to both pipes takes more work than a certificate may need, "
-              "as where one all but touches the other from inside");
+
+ private:
+  bool settle(const ParameterInterval& t, int halvings) {
+    if (verification::touches_on(loop_, claim_, t)) {
+      return true;
+    }
+    const double middle = std::midpoint(t.from, t.to);
+    return halvings > 0 && widen_at(middle) && settle({t.from, middle}, halvings - 1) &&
+           settle({middle, t.to}, halvings - 1);
+  }
+
+  bool widen_at(double t) {
+    const auto holds = [&](double offset) {
+      return verification::touches_on(loop_, {offset / 2, claim_.deviation / 2}, {t, t});
+    };
+    while (!holds(claim_.offset)) {
+      double& bound = holds(coarsest_.offset) ? claim_.offset : claim_.deviation;
+      bound *= 4;
+      if (claim_.offset > coarsest_.offset || claim_.deviation > coarsest_.deviation) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const CanalFillet& loop_;
+  ContactClaim claim_, coarsest_;
+};
+
+std::optional<ContactClaim> prove_contact(const CanalFillet& loop, double tolerance) {
+  constexpr double kFinest = 0x1p-48, kCoarsestAngle = 0x1p-12;
+  constexpr std::uint64_t kWorkOfFinest = kWork / 6, kWorkOfCoarsest = kWork / 3;
+  const ContactClaim finest{kFinest * size_of(loop), kFinest}, coarsest{tolerance, kCoarsestAngle};
+  std::optional<ContactClaim> claim;
+  if (!ends_within(kWorkOfFinest, [&] { claim = ContactSearch(loop, finest, coarsest).run(); })) {
+    (void)ends_within(kWorkOfCoarsest,
+                      [&] { claim = ContactSearch(loop, coarsest, coarsest).run(); });
+  }
+  if (!claim) {
+    (void)ends_within(kWork, [&] { refuse_far_balls(loop, coarsest); });
+  }
+  return claim;
 }
 
 MeshClaim mesh_claim(const LoopMesh& mesh) {

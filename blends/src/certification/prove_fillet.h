@@ -22,8 +22,8 @@ struct LoopGoals {
 };
 
 /// Claims about a loop of a fillet, found by halving until the checker's bounds hold; what it costs
-/// is limited, and what is not found then is undecided. Contact is claimed within a factor of four
-/// of the least bounds that hold.
+/// is limited, and what is not found then is undecided. Contact is claimed nearly within a factor
+/// of four of the least bounds that hold.
 ///
 /// Throws Error{invalid_argument} if the balls are further from their quadrics than the tolerance.
 [[nodiscard]] LoopClaims prove_loop(const CanalFillet& loop, const LoopMesh& mesh,

@@ -151,9 +151,10 @@ LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fi
     require(is_straight(pipe), fillet.name, "between");
     starts.at(side) = end_ring(pipe, End::start);
   }
-  require(touches_between(loop, starts, tolerance), fillet.name, "between");
-  require(follows(loop, claims.contact) && claims.contact.offset <= tolerance, fillet.name,
-          "contact");
+  if (const auto& contact = claims.contact) {
+    require(touches_between(loop, starts, tolerance), fillet.name, "between");
+    require(follows(loop, *contact) && contact->offset <= tolerance, fillet.name, "contact");
+  }
   auto cells = regular_cells(loop, claims.regular);
   require(cells || (is_undecided(claims.regular.verdict) && has_form(claims.regular)), fillet.name,
           "regular");

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <variant>
 
-#include "verification/taylor_jet.h"
 #include "verification/work.h"
 
 namespace dupin::verification {
@@ -28,25 +27,6 @@ struct ArcJets {
 };
 
 constexpr std::size_t kOrders = 5;
-
-template <std::size_t count>
-BallJets<count> balls_on(const CanalFillet& loop, const TurnStretch& turn) {
-  return std::visit(BallReader<count>(turn), loop.motion);
-}
-
-// Where generators meet a cone depends on the angle in many ways at once, which intervals take for
-// independent: only short stretches would do without Taylor's formula.
-BallJets<kOrders> balls_around(const CanalFillet& loop, const TurnStretch& middle,
-                               const TurnStretch& all) {
-  constexpr std::size_t kMore = kOrders + 4;
-  if (!rolls_on_cones(loop)) {
-    return balls_on<kOrders>(loop, all);
-  }
-  spend(kConeWork);
-  const auto here = balls_on<kMore>(loop, middle), everywhere = balls_on<kMore>(loop, all);
-  return {by_taylor<kOrders>(here.center, everywhere.center, all.reach),
-          by_taylor<kOrders>(here.radius, everywhere.radius, all.reach)};
-}
 
 std::optional<ArcJets> arc_jets(const CanalFillet& loop, const BallJets<kOrders>& balls) {
   const JetVec<4> velocity = derivative(balls.center), center = shortened<4>(balls.center);
@@ -173,8 +153,8 @@ std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const Parameter
   if (!turn || !middle_turn) {
     return std::nullopt;
   }
-  spend(kArcWork);
-  const auto all = arc_jets(loop, balls_around(loop, *middle_turn, *turn)),
+  spend(rolls_on_cones(loop) ? kArcWork + kConeWork : kArcWork);
+  const auto all = arc_jets(loop, balls_around<kOrders>(loop, *middle_turn, *turn)),
              middle = arc_jets(loop, balls_on<kOrders>(loop, *middle_turn));
   if (!all || !middle) {
     return std::nullopt;

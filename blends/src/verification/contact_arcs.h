@@ -1,11 +1,34 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <variant>
 
 #include "verification/rolling_balls.h"
+#include "verification/taylor_jet.h"
 
 namespace dupin::verification {
+
+template <std::size_t count>
+[[nodiscard]] BallJets<count> balls_on(const CanalFillet& loop, const TurnStretch& turn) {
+  return std::visit(BallReader<count>(turn), loop.motion);
+}
+
+/// The balls on a stretch. Where generators meet a cone depends on the angle in many ways at once,
+/// which intervals take for independent: only short stretches would do without Taylor's formula
+/// about the middle.
+template <std::size_t count>
+[[nodiscard]] BallJets<count> balls_around(const CanalFillet& loop, const TurnStretch& middle,
+                                           const TurnStretch& all) {
+  constexpr std::size_t kMore = count + 4;
+  if (!rolls_on_cones(loop)) {
+    return balls_on<count>(loop, all);
+  }
+  const auto here = balls_on<kMore>(loop, middle), everywhere = balls_on<kMore>(loop, all);
+  return {by_taylor<count>(here.center, everywhere.center, all.reach),
+          by_taylor<count>(here.radius, everywhere.radius, all.reach)};
+}
 
 /// What encloses the arcs of a loop of a fillet over a stretch: of the circles in which the balls
 /// touch their envelope, the shorter arcs between the places nearest to the feet on both quadrics.

@@ -156,7 +156,7 @@ bool touches_between_on(const CanalFillet& loop, const std::array<Ring, 2>& star
                         double tolerance, const ParameterInterval& t) {
   constexpr std::uint64_t kWork = 16;
   spend(rolls_on_cones(loop) ? 2 * kWork : kWork);
-  const JetVec<2> ball = std::visit(BallReader<2>(turn_stretch(t).value()), loop.motion).center;
+  const JetVec<2> ball = balls_on<2>(loop, turn_stretch(t).value()).center;
   for (std::size_t side = 0; side < 2; ++side) {
     const Ring& quadric = loop.quadrics.at(side);
     const auto [normal, distance] = seen_from(quadric, ball);
@@ -168,14 +168,15 @@ bool touches_between_on(const CanalFillet& loop, const std::array<Ring, 2>& star
   return true;
 }
 
+}  // namespace
+
 bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t) {
   constexpr std::uint64_t kWork = 64;
   spend(rolls_on_cones(loop) ? kConeWork : kWork);
   const double middle = std::midpoint(t.from, t.to);
   // Sixteenths of a loop and their halves lie in one half of it.
   const TurnStretch all = turn_stretch(t).value(), at = turn_stretch({middle, middle}).value();
-  const auto balls = std::visit(BallReader<kOrders>(all), loop.motion);
-  const auto ball = std::visit(BallReader<kOrders>(at), loop.motion);
+  const auto balls = balls_around<kOrders>(loop, at, all), ball = balls_on<kOrders>(loop, at);
   const Interval speed = sqrt(squared_norm(derivative(balls.center)))[0];
   const Interval sine = Interval(balls.radius[1].magnitude()) / speed;
   return std::all_of(loop.quadrics.begin(), loop.quadrics.end(), [&](const Ring& quadric) {
@@ -187,6 +188,8 @@ bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const Parame
     return off.value.magnitude() <= claim.offset && deviation.upper <= claim.deviation;
   });
 }
+
+namespace {
 
 // With x = C + c w, b = T x w and the spin s of w: w' = -(w.T') T + s b.
 Interval along(const ContactArcs& a) {

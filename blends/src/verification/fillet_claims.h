@@ -53,6 +53,10 @@ struct ArcCell {
 
 [[nodiscard]] bool follows(const CanalFillet& loop, const ContactClaim& claim);
 
+/// Whether it is found to on this stretch alone, of which both ends are in one half of the loop.
+[[nodiscard]] bool touches_on(const CanalFillet& loop, const ContactClaim& claim,
+                              const ParameterInterval& t);
+
 /// Whether the ball's feet on both quadrics are beyond neither ring of the pipes by more than the
 /// tolerance; `starts` are those that are no quadrics of the loop.
 [[nodiscard]] bool touches_between(const CanalFillet& loop, const std::array<Ring, 2>& starts,

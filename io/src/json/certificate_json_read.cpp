@@ -224,12 +224,16 @@ PartClaims part_claims(const JsonNode& node) {
   return result;
 }
 
+std::optional<ContactClaim> contact_claim(const JsonNode& node) {
+  if (node.value().is_null()) {
+    return std::nullopt;
+  }
+  return ContactClaim{node.at("offset").number(), node.at("deviation").number()};
+}
+
 LoopClaims loop_claims(const JsonNode& node) {
-  const JsonNode contact = node.at("contact");
-  return {regular_claim(node.at("regular")),
-          embedded_claim(node.at("embedded")),
-          {contact.at("offset").number(), contact.at("deviation").number()},
-          mesh_claim(node)};
+  return {regular_claim(node.at("regular")), embedded_claim(node.at("embedded")),
+          contact_claim(node.at("contact")), mesh_claim(node)};
 }
 
 ClearanceClaim clearance(const JsonNode& node, const char* between, std::uint32_t limit) {

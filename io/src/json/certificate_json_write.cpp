@@ -116,13 +116,16 @@ Json json_value(const MeshClaim& claim) {
   return object;
 }
 
+Json json_value(const std::optional<ContactClaim>& claim) {
+  return claim ? Json{{"offset", claim->offset}, {"deviation", claim->deviation}} : Json(nullptr);
+}
+
 Json json_value(const std::vector<LoopClaims>& loops) {
   Json list = Json::array();
   for (const LoopClaims& claims : loops) {
-    Json object{
-        {"regular", json_value(claims.regular)},
-        {"embedded", json_value(claims.embedded)},
-        {"contact", {{"offset", claims.contact.offset}, {"deviation", claims.contact.deviation}}}};
+    Json object{{"regular", json_value(claims.regular)},
+                {"embedded", json_value(claims.embedded)},
+                {"contact", json_value(claims.contact)}};
     if (claims.mesh) {
       object["mesh"] = json_value(*claims.mesh);
     }
@@ -273,8 +276,8 @@ std::string certificate_summary_json(const Certificate& certificate) {
            {"margin", claims.regular.verdict == Verdict::undecided ? Json(nullptr)
                                                                    : Json(claims.regular.margin)},
            {"embedded", name(claims.embedded.verdict)},
-           {"offset", claims.contact.offset},
-           {"deviation", claims.contact.deviation},
+           {"offset", claims.contact ? Json(claims.contact->offset) : Json(nullptr)},
+           {"deviation", claims.contact ? Json(claims.contact->deviation) : Json(nullptr)},
            {"error_bound", claims.mesh ? Json(claims.mesh->error_bound) : Json(nullptr)}});
     }
   }

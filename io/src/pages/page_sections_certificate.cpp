@@ -24,7 +24,7 @@ class Claims {
         const std::string& about = certificate_.fillets[i].name;
         add_regular(about, loop.regular);
         add_embedded(about, loop.embedded);
-        add("tangent", about, Verdict::proved, "within " + measure(loop.contact.deviation, "rad"));
+        add_contact(about, loop.contact);
         add_mesh(about, loop.mesh);
       }
     }
@@ -60,6 +60,11 @@ class Claims {
   void add_embedded(const std::string& about, const EmbeddedClaim& claim) {
     add("embedded", about, claim.verdict, claim.overlap ? "it crosses itself" : "",
         place_of(claim.overlap));
+  }
+
+  void add_contact(const std::string& about, const std::optional<ContactClaim>& claim) {
+    add("tangent", about, claim ? Verdict::proved : Verdict::undecided,
+        claim ? "within " + measure(claim->deviation, "rad") : "");
   }
 
   void add_mesh(const std::string& about, const std::optional<MeshClaim>& claim) {

@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "certification/checked_claims.h"
 #include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
+#include "support/fillet_loops.h"
 
 namespace dupin::certification {
 namespace {
@@ -66,6 +69,39 @@ TEST(CheckedClaims, have_the_work_for_the_caps_of_junctions_set_aside) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded) << error.what();
   }
+}
+
+// What there is no work left for, or what lies beyond its bounds, is not said of a fillet; that its
+// balls leave their pipes is an error.
+TEST(CheckedClaims, leave_undecided_how_near_a_ball_keeps) {
+  const auto all = test::loops_of_all_kinds();
+  const CanalFillet& loop =
+      std::ranges::find_if(all, [](const auto& named) { return named.name == "cone_0"; })->loop;
+  const auto far = [](const Ring& end) {
+    return Ring{end.center - 99 * end.normal, -end.normal, 1, 0};
+  };
+  const std::array<Ring, 2> starts{far(loop.quadrics[0]), far(loop.quadrics[1])};
+  std::array<Ring, 2> near = starts;
+  near[1].center = loop.quadrics[1].center - 9 * near[1].normal;
+  const auto agreed = [&](const ContactClaim& claim, const std::array<Ring, 2>& from,
+                          std::uint64_t checks) {
+    ClaimWork work({kUsual.searches, checks});
+    LoopArcs arcs{&loop, {}};
+    CanalFillet longer = loop;
+    for (Ring& quadric : longer.quadrics) {
+      quadric.center += 99 * quadric.normal;
+      quadric.radius += 99 * quadric.slope;
+    }
+    arcs.loop = &longer;
+    LoopClaims claims;
+    claims.contact = claim;
+    return certification::agreed(claims, arcs, from, .02, work).contact;
+  };
+  const ContactClaim right{1e-9, 1e-9};
+  EXPECT_TRUE(agreed(right, starts, CertificateLimits::kWork));
+  EXPECT_FALSE(agreed(right, starts, 0));
+  EXPECT_FALSE(agreed({0, 1}, starts, CertificateLimits::kWork));
+  EXPECT_THROW((void)agreed(right, near, CertificateLimits::kWork), Error);
 }
 
 TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_left_for) {

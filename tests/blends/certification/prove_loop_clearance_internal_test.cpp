@@ -71,7 +71,8 @@ TEST(ProveLoopClearance, tells_what_meets_in_corners) {
       verify(certificate);
       EXPECT_EQ(certificate.findings(), 0U) << degrees << ' ' << far;
       for (const auto& loops : certificate.fillet_claims) {
-        EXPECT_LT(loops.front().contact.offset, 1e-13 * (1 + far) * 60) << "whatever the angle is";
+        EXPECT_LT(loops.front().contact.value().offset, 1e-13 * (1 + far) * 60)
+            << "whatever the angle is";
       }
       ASSERT_EQ(certificate.fillet_clearances.size(), 3U);
       for (const ClearanceClaim& claim : certificate.fillet_clearances) {

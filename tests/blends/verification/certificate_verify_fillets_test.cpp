@@ -98,8 +98,8 @@ TEST(VerifyCertificate, of_fillets_takes_no_other_claims_about_loops) {
        {"no part first", "between", [](Certificate& c) { c.fillets[0].between[0] = 3; }},
        {"a part twice", "between", [](Certificate& c) { c.fillets[0].between[1] = 0; }},
        {"a ball", "between", [](Certificate& c) { c.fillets[0].between[1] = 2; }},
-       {"contact", "contact", [=](Certificate& c) { loop(c).contact.offset = 0; }},
-       {"wide contact", "contact", [=](Certificate& c) { loop(c).contact.offset = .6; }},
+       {"contact", "contact", [=](Certificate& c) { loop(c).contact->offset = 0; }},
+       {"wide contact", "contact", [=](Certificate& c) { loop(c).contact->offset = .6; }},
        {"margin", "regular", [=](Certificate& c) { loop(c).regular.margin = .99; }},
        {"an undecided margin", "regular",
         [=](Certificate& c) { loop(c).regular.verdict = Verdict::undecided; }},
@@ -123,6 +123,11 @@ TEST(VerifyCertificate, of_fillets_takes_no_other_claims_about_loops) {
   EXPECT_NO_THROW(verify(less));
   loop(less).regular = undecided();
   EXPECT_NO_THROW(verify(less));
+  // Where nothing is said of it, nothing is counted as proved.
+  const std::size_t findings = less.findings();
+  loop(less).contact.reset();
+  EXPECT_NO_THROW(verify(less));
+  EXPECT_EQ(less.findings(), findings + 1);
 }
 
 TEST(VerifyCertificate, of_fillets_needs_a_clearance_of_every_loop_and_part_but_its_pipes) {

@@ -43,8 +43,8 @@ const LoopClaims& claims_of(const std::string& name) {
 
 bool all_follow(const CanalFillet& loop, const LoopClaims& claims) {
   const auto cells = regular_cells(loop, claims.regular);
-  return cells && follows(loop, *cells, claims.embedded) && follows(loop, claims.contact) &&
-         claims.mesh && follows(*cells, *claims.mesh);
+  return cells && follows(loop, *cells, claims.embedded) && claims.contact &&
+         follows(loop, *claims.contact) && claims.mesh && follows(*cells, *claims.mesh);
 }
 
 TEST(FilletClaims, of_all_kinds_follow) {
@@ -170,7 +170,7 @@ TEST(FilletClaims, across_corners_need_a_direction) {
 // A pipe moved aside by little is not touched any more.
 TEST(FilletClaims, of_contact_are_as_tight_as_rounding) {
   for (const auto& [name, loop] : test::loops_of_all_kinds()) {
-    const ContactClaim claim = claims_of(name).contact;
+    const ContactClaim claim = claims_of(name).contact.value();
     EXPECT_LT(claim.offset, 1e-11) << name;
     EXPECT_LT(claim.deviation, 1e-11) << name;
     for (std::size_t side = 0; side < 2; ++side) {

@@ -398,7 +398,7 @@ std::vector<Forgery> forgeries_of_pipes() {
        }},
       {"a fillet nearer to its pipes than it is",
        [](Certificate& c, const Truth&, Random& random) {
-         ContactClaim& contact = loop_claims(c, random).contact;
+         ContactClaim& contact = *loop_claims(c, random).contact;
          (random() % 2 == 0 ? contact.offset : contact.deviation) =
              random() % 2 == 0 ? 0 : -std::abs(hostile(random)) - 1e-300;
        }},
@@ -503,6 +503,15 @@ std::vector<Forgery> forgeries_of_pipes() {
       {"the tolerance of another document",
        [](Certificate& c, const Truth&, Random& random) {
          c.tolerance *= between(random, 1.01, 9);
+       },
+       true},
+      {"balls that do not touch, of whose contact nothing is said",
+       [](Certificate& c, const Truth&, Random& random) {
+         const std::size_t fillet = random() % c.fillets.size();
+         for (std::size_t k = 0; k < c.fillets[fillet].loops.size(); ++k) {
+           ball_radius(c.fillets[fillet].loops[k]) *= between(random, 1.0000001, 1.5);
+           c.fillet_claims[fillet][k].contact.reset();
+         }
        },
        true},
       {"the parts of another document",

@@ -107,6 +107,44 @@ TEST(ForgedCertificates, have_no_second_shape) {
   }
 }
 
+// That nothing is proved of a contact is said by null: what says it in another way, or says
+// nothing, would be taken for a proof by whoever does not look for it.
+TEST(ForgedCertificates, have_no_contact_that_is_neither_bounded_nor_null) {
+  std::mt19937_64 random(15);
+  const Certificate honest = test::truth(random).honest;
+  const Pointer at = Pointer("/fillet_claims/0/0/contact");
+  Json open = Json::parse(certificate_json(honest));
+  ASSERT_TRUE(open.at(at).contains("offset"));
+  open[at] = nullptr;
+  const Certificate read = parse_certificate(resealed(open));
+  EXPECT_NO_THROW(verify(read));
+  EXPECT_FALSE(read.fillet_claims[0][0].contact);
+  EXPECT_EQ(read.findings(), honest.findings() + 1);
+  const Json summary = Json::parse(certificate_summary_json(read)).at("fillets").at(0);
+  EXPECT_TRUE(summary.at("offset").is_null() && summary.at("deviation").is_null());
+  const auto expect_refused = [](const Json& forged) {
+    try {
+      static_cast<void>(parse_certificate(resealed(forged), "forged.json"));
+      ADD_FAILURE() << "believed: " << forged["fillet_claims"][0][0].dump();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::parse_failed);
+      EXPECT_THAT(error.what(), testing::StartsWith("forged.json#/fillet_claims/0/0"));
+    }
+  };
+  for (const char* const other :
+       {"{}", "[]", "false", "0", "\"undecided\"", "\"proved\"", "{\"offset\": 0}",
+        "{\"deviation\": 0}", "{\"offset\": null, \"deviation\": null}",
+        "{\"verdict\": \"proved\"}",
+        "{\"offset\": 1, \"deviation\": 1, \"verdict\": \"undecided\"}"}) {
+    Json forged = open;
+    forged[at] = Json::parse(other);
+    expect_refused(forged);
+  }
+  Json left_out = open;
+  left_out["fillet_claims"][0][0].erase("contact");
+  expect_refused(left_out);
+}
+
 TEST(ForgedCertificates, are_forged_in_many_ways) { EXPECT_GE(test::forgeries().size(), 20U); }
 
 TEST(ForgedCertificates, are_not_believed) { test::expect_none_believed(15, 300); }

@@ -32,6 +32,23 @@ TEST(CertificateSection, has_what_is_not_proved_first_and_where_it_fails) {
   EXPECT_THAT(section.note, testing::HasSubstr("embedded: 1 proved, 1 refuted, 0 undecided"));
 }
 
+TEST(CertificateSection, says_of_which_fillets_it_is_proved_that_they_touch) {
+  Certificate certificate = of_two_parts();
+  certificate.fillets = {{"near", {0, 1}, {}, {}}, {"unknown", {0, 1}, {}, {}}};
+  LoopClaims near;
+  near.contact = ContactClaim{0.001, 0.002};
+  certificate.fillet_claims = {{near}, {LoopClaims()}};
+  const PageSection section = certificate_section(certificate);
+  EXPECT_THAT(section.note, testing::HasSubstr("tangent: 1 proved, 0 refuted, 1 undecided"));
+  for (const PageRow& row : section.rows) {
+    if (row.cells[1] == "tangent") {
+      const bool is_near = row.cells[2] == "near";
+      EXPECT_EQ(row.cells[0], is_near ? "proved" : "undecided");
+      EXPECT_EQ(row.cells[3], is_near ? "within 0.002 rad" : "");
+    }
+  }
+}
+
 TEST(CertificateSection, leaves_out_pairs_that_are_far_apart) {
   Certificate certificate = of_two_parts();
   for (int i = 300; i > 0; --i) {

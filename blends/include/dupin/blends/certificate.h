@@ -132,7 +132,7 @@ struct LoopClaims {
   RegularClaim regular;  ///< least_regularity > margin, and radius > 0
   /// The arcs are pairwise disjoint, but in corners.
   EmbeddedClaim embedded;
-  ContactClaim contact;
+  std::optional<ContactClaim> contact;  ///< none: undecided
   /// The mesh with vertices on the arcs at `knots`, each divided equally into so many segments.
   std::optional<MeshClaim> mesh;
 };
