@@ -236,7 +236,7 @@ KNOWN = {
     ("contact_arcs.cpp", "bending.upper > std::max(bending[0].lower,", ".lower"): INSIDE,
     ("contact_arcs.cpp", "bending.upper > std::max(bending[0].upper, bending[1].lower", ".lower"): INSIDE,
     ("contact_arcs.cpp", "bending.upper > std::min(", "std::min("): INSIDE,
-    ("contact_arcs.cpp", "if (!turn || !middle_turn && !reach", " && "):
+    ("contact_arcs.cpp", "if (!turn && !middle_turn", " && "):
         "what lies in one half of a loop has its middle there",
     ("hub_claims.cpp", "square(r1)).lower >= 0)", " >= "): POINT,
     ("hub_claims.cpp", "!(sphere.radius[0].lower >= 0)", " >= "): POINT,
@@ -253,7 +253,7 @@ KNOWN = {
     ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
     ("taylor_jet.h", "static_assert(count < more);", " <= "):
         "of as many derivatives the last is what is given, without the formula",
-    ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
+    ("certificate_verify.cpp", "contact->offset < tolerance", " < "): SLACK,
     ("bernstein.h", "for (std::size_t k = 0; k < m + n; ++k) {", " < "): "the last one is divided by 1",
     ("bernstein.h", "for (std::size_t r = 1; r <= p.size(); ++r) {", " <= "): "the last round is empty",
     ("fillet_claims.cpp", "angle(Mpfi(chord.lower), Mpfi(rest.lower))", ".lower"): ROUNDING,

@@ -256,8 +256,12 @@ class Certifier {
     if (!claim) {
       return;
     }
-    result_.claims[part].mesh =
-        certification::agreed(*claim, solids_[part], certification::first_rooms(), work);
+    const bool is_of_many = result_.parts.size() > kFewParts;
+    result_.claims[part].mesh = certification::agreed(
+        *claim, solids_[part],
+        is_of_many ? certification::rooms_of_many(claim->error_bound / assembly_.tolerance)
+                   : certification::first_rooms(),
+        work);
     if (!result_.claims[part].mesh && work.lacks_work()) {
       waiting_meshes_[part] = std::move(claim);
     }

@@ -1,5 +1,6 @@
 #include "certification/checked_claims.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -125,9 +126,23 @@ MeshRooms first_rooms() {
   return {{{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
 }
 
+namespace {
+
+// That an error of this share of the tolerance has within it.
+double room_within(double share) { return (1 / share - 1) * (1 - 0x1p-20); }
+
+}  // namespace
+
+MeshRooms rooms_of_many(double share) {
+  constexpr double kLoose = 0x1p-1, kTight = 0x1p-20;
+  constexpr std::uint64_t kHardlyAny = 1 << 12;
+  const double within = std::min(room_within(share), kLoose);
+  return within > kTight ? MeshRooms{{{kTight, kHardlyAny}, {within, 1}, {1, 1}}} : first_rooms();
+}
+
 MeshRooms last_rooms(double share) {
   MeshRooms rooms{{{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
-  const double within = (1 / share - 1) * (1 - 0x1p-20);
+  const double within = room_within(share);
   if (within > 0 && within < rooms.all.front().share) {
     rooms.all.insert(rooms.all.begin(), {within, 2});
   }

@@ -58,6 +58,9 @@ struct MeshRooms {
 /// A tight bound may have part of the work, for there are claims to come; one that is not as tight
 /// takes little.
 [[nodiscard]] MeshRooms first_rooms();
+/// Of one mesh of many, whose error is this share of the tolerance: tight if that takes next to no
+/// work, or else within the tolerance, which takes far less than a tight bound.
+[[nodiscard]] MeshRooms rooms_of_many(double share);
 /// Of an error of this share of the tolerance: within that, if the tightest of them is not.
 [[nodiscard]] MeshRooms last_rooms(double share);
 

@@ -71,6 +71,27 @@ TEST(CheckedClaims, have_the_work_for_the_caps_of_junctions_set_aside) {
   }
 }
 
+TEST(CheckedClaims, bound_meshes_of_many_tightly_or_within_the_tolerance) {
+  const auto shares = [](double share) {
+    std::vector<double> result;
+    for (const MeshRoom& room : rooms_of_many(share).all) {
+      result.push_back(room.share);
+    }
+    return result;
+  };
+  const auto of_few = first_rooms().all;
+  EXPECT_EQ(shares(1).size(), of_few.size()) << "what is not within is bounded as of few";
+  EXPECT_EQ(shares(2).front(), of_few.front().share);
+  for (const double share : {0.01, 0.5, 0.8, 0.99}) {
+    const auto rooms = shares(share);
+    ASSERT_EQ(rooms.size(), 3U);
+    EXPECT_EQ(rooms[0], 0x1p-20);
+    EXPECT_GT(rooms[1], 0x1p-20);
+    EXPECT_LT(share * (1 + rooms[1]), 1) << "within the tolerance";
+    EXPECT_LE(rooms[1], 0.5);
+  }
+}
+
 // What there is no work left for, or what lies beyond its bounds, is not said of a fillet; that its
 // balls leave their pipes is an error.
 TEST(CheckedClaims, leave_undecided_how_near_a_ball_keeps) {
