@@ -551,5 +551,41 @@ TEST(FilletClaims, of_meshes_have_one_segment_at_least_and_no_more_than_the_limi
   EXPECT_FALSE(follows(cells, MeshClaim{CertificateLimits::kSegments + 1, 0, {0, 1, 2}, 1}));
 }
 
+// Pipes that end, at either end, a little before or behind where the balls touch them last.
+TEST(FilletClaims, hold_of_balls_between_the_ends_of_their_pipes_only) {
+  const CanalFillet loop = test::loops_of_all_kinds().front().loop;
+  const auto furthest = [&](const Ring& pipe, const Vec3& direction) {
+    double most = -1e9;
+    for (int i = 0; i < 4096; ++i) {
+      const Vec3 at = ball(loop, 2 * std::numbers::pi * i / 4096).center;
+      most = std::max(most, (at - pipe.center).dot(direction));
+    }
+    return most;
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const bool is_start : {false, true}) {
+      const auto holds_with = [&](double beyond) {
+        CanalFillet cut = loop;
+        std::array<Ring, 2> starts = loop.quadrics;
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Ring pipe = loop.quadrics.at(k);
+          const Vec3 axis = pipe.normal;
+          const bool is_cut = k == side;
+          const double up = furthest(pipe, axis) + (is_cut && !is_start ? -beyond : 1);
+          const double down = furthest(pipe, -axis) + (is_cut && is_start ? -beyond : 1);
+          cut.quadrics.at(k).center = pipe.center + up * axis;
+          starts.at(k).center = pipe.center - down * axis;
+          starts.at(k).normal = -axis;
+        }
+        return touches_between(cut, starts, kTolerance);
+      };
+      EXPECT_TRUE(holds_with(-1)) << side << is_start;
+      EXPECT_TRUE(holds_with(.9 * kTolerance)) << side << is_start;
+      EXPECT_FALSE(holds_with(1.1 * kTolerance)) << side << is_start;
+      EXPECT_FALSE(holds_with(1)) << side << is_start;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::verification
