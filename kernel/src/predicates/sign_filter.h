@@ -75,6 +75,34 @@ class PlaneFilter {
   return (value > bound) - (value < -bound);
 }
 
+/// The edges of one triangle, seen along an axis.
+class EdgeFilter {
+ public:
+  EdgeFilter(const std::array<Vec3, 3>& triangle, int axis)
+      : i_((axis + 1) % 3), j_((axis + 2) % 3) {
+    const int inner = side_of_line(triangle[0], triangle[1], triangle[2], axis);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &from = triangle[k], &to = triangle[(k + 1) % 3];
+      edges_[k] = {from[i_], from[j_], inner * (to[i_] - from[i_]), inner * (to[j_] - from[j_])};
+    }
+  }
+
+  /// True only if the line through edge `k`, from corner k on, certainly has the triangle on one
+  /// side and the point on the other one.
+  [[nodiscard]] bool is_beyond(int k, const Vec3& p) const {
+    const Edge& edge = edges_[k];
+    const double left = edge.along_i * (p[j_] - edge.j), right = edge.along_j * (p[i_] - edge.i);
+    return left - right < -(kOrient2Bound * (std::abs(left) + std::abs(right)) + 0x1p-1000);
+  }
+
+ private:
+  struct Edge {
+    double i, j, along_i, along_j;
+  };
+  int i_, j_;
+  std::array<Edge, 3> edges_;
+};
+
 /// True only if d lies inside the circle through a, b, c beyond doubt. The bound is stage A of
 /// the incircle test of [She97], (10 + 96 u) u times the permanent, u = 2^-52 as rounding is
 /// upward; the addend covers underflow.

@@ -312,7 +312,8 @@ bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
 TriangleOverlapTest::TriangleOverlapTest(std::span<const Vec3> points, const Triangle& corners)
     : points_(points),
       corners_(corners),
-      plane_(points[corners[0]], points[corners[1]], points[corners[2]]) {}
+      plane_(points[corners[0]], points[corners[1]], points[corners[2]]),
+      edges_({points[corners[0]], points[corners[1]], points[corners[2]]}, plane_.main_axis()) {}
 
 bool TriangleOverlapTest::is_degenerate() const {
   const auto& [a, b, c] = corners_;
@@ -368,6 +369,11 @@ TriangleOverlap TriangleOverlapTest::sharing_one(int mine, const Triangle& other
   if (common_sign(plane_.side(b1), plane_.side(b2)) != 0) {
     return TriangleOverlap::none;
   }
+  for (const int k : {mine, (mine + 2) % 3}) {  // the edges at the common corner
+    if (edges_.is_beyond(k, b1) && edges_.is_beyond(k, b2)) {
+      return TriangleOverlap::none;
+    }
+  }
   const Corners a = {points_[corners_[mine]], points_[corners_[(mine + 1) % 3]],
                      points_[corners_[(mine + 2) % 3]]};
   const Corners b = {a[0], b1, b2};
@@ -376,7 +382,7 @@ TriangleOverlap TriangleOverlapTest::sharing_one(int mine, const Triangle& other
     return TriangleOverlap::none;
   }
   const int axis = plane_.main_axis();
-  if (cones_certainly_apart(a, b, axis) || cones_certainly_apart(b, a, axis)) {
+  if (cones_certainly_apart(b, a, axis)) {
     return TriangleOverlap::none;
   }
   return cones_meeting(a, plane_, b, plane, axis);
@@ -387,6 +393,11 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
   const Sides certain_b = {plane_.side(b[0]), plane_.side(b[1]), plane_.side(b[2])};
   if (common_sign(certain_b) != 0) {
     return TriangleOverlap::none;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (edges_.is_beyond(k, b[0]) && edges_.is_beyond(k, b[1]) && edges_.is_beyond(k, b[2])) {
+      return TriangleOverlap::none;
+    }
   }
   const Corners a = {points_[corners_[0]], points_[corners_[1]], points_[corners_[2]]};
   const PlaneFilter plane(b[0], b[1], b[2]);
@@ -403,7 +414,7 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
     return TriangleOverlap::none;
   }
   const int axis = plane_.main_axis();
-  if (edge_separates(a, b, axis, side_of_line) || edge_separates(b, a, axis, side_of_line)) {
+  if (edge_separates(b, a, axis, side_of_line)) {
     return TriangleOverlap::none;
   }
   const Sides sides_b = exact_sides(certain_b, a, b);

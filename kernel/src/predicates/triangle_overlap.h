@@ -41,6 +41,7 @@ class TriangleOverlapTest {
   std::span<const Vec3> points_;
   Triangle corners_;
   PlaneFilter plane_;
+  EdgeFilter edges_;  // seen along the plane's main axis
 };
 
 }  // namespace dupin::predicates

@@ -82,6 +82,33 @@ TEST(SignFilter, of_lines_is_right_where_it_is_certain) {
   EXPECT_GT(certain, 2000);
 }
 
+TEST(SignFilter, of_edges_is_right_where_it_is_certain) {
+  std::mt19937_64 random(35);
+  int beyond = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const auto [a, b, c, p] = random_sample(random, round);
+    for (int axis = 0; axis < 3; ++axis) {
+      const EdgeFilter edges({a, b, c}, axis);
+      const int inner = sgn(exact_normal(a, b, c)[axis]);
+      const std::array<int, 3> turns = {sgn(exact_normal(a, b, p)[axis]),
+                                        sgn(exact_normal(b, c, p)[axis]),
+                                        sgn(exact_normal(c, a, p)[axis])};
+      for (int k = 0; k < 3; ++k) {
+        if (edges.is_beyond(k, p)) {
+          ASSERT_EQ(turns[k], -inner) << round;
+          ASSERT_NE(inner, 0) << round;
+          ++beyond;
+        }
+      }
+    }
+  }
+  EXPECT_GT(beyond, 4000);
+  const EdgeFilter edges({Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 5)}, 2);
+  EXPECT_TRUE(edges.is_beyond(0, Vec3(-1, 0, 0)));
+  EXPECT_FALSE(edges.is_beyond(0, Vec3(0, 2, 0))) << "on the line";
+  EXPECT_FALSE(edges.is_beyond(0, Vec3(1, 9, 0)));
+}
+
 TEST(SignFilter, sees_nothing_in_degenerate_planes) {
   std::mt19937_64 random(33);
   std::uniform_int_distribution<int> integer(-9, 9);
