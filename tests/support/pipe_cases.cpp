@@ -170,6 +170,29 @@ std::vector<TriMesh> coaxial(int pipes, double step) {
   return parts;
 }
 
+// Triangular prisms about one axis with flush ends, each turned by a little more than the last: all
+// of them by the angle between two sides.
+std::vector<TriMesh> prismspin(int prisms) {
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < prisms; ++i) {
+    parts.push_back(pipe_z({0, 0, 0}, 1, 1, {3, 1, static_cast<double>(i) / prisms}));
+  }
+  return parts;
+}
+
+// Prisms over stars of 12 points about one axis with flush ends, turned likewise.
+std::vector<TriMesh> gears(int prisms) {
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < prisms; ++i) {
+    TriMesh part = pipe_z({0, 0, 0}, 1, 1, {24, 1, 2.0 * i / prisms});
+    for (std::size_t corner = 0; corner < 48; corner += 2) {
+      part.points[corner].head<2>() *= 0.7;
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 // Two pipes of so many sides beside each other that overlap, with flush ends.
 std::vector<TriMesh> flush(int sides) {
   const auto n = static_cast<std::uint32_t>(sides);
@@ -349,6 +372,8 @@ const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>>& familie
       {"row", row},
       {"coaxial", [](int pipes) { return coaxial(pipes, 0.05); }},
       {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }},
+      {"prismspin", prismspin},
+      {"gears", gears},
       {"flush", flush}};
   return all;
 }
