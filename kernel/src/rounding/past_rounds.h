@@ -19,7 +19,6 @@ struct PastRounds {
   double void_width = 0;      ///< of the widest filled void
   double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
   bool has_filled_slits = false, has_filled_voids = false;
-  bool is_cut = false;  ///< where it had faults, instead of being repaired
   int thickenings = 0, snaps = 0;
   double moved = 0;              ///< by what was thickened or snapped
   std::size_t moved_points = 0;  ///< likewise
