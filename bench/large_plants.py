@@ -171,6 +171,8 @@ def main():
     tool = str((arguments.build / "cli" / "dupin").resolve())
     print(f"{'components':>10} {'triangles':>12} {'s':>9} {'M tri/s':>8} {'peak MB':>9} {'check s':>9} {'check MB':>9} "
           f"{'equal':>6} {'edit s':>7}")
+    if arguments.folder:
+        os.makedirs(arguments.folder, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
         rows = [measured(tool, pathlib.Path(folder), components, arguments) for components in arguments.components]
     if len(rows) > 1:
