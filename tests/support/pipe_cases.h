@@ -15,7 +15,8 @@ namespace dupin::test {
 /// `row_K` K that do not; `rack_K` and `rack_eq_K` have K by K that cross; `header_K` and
 /// `header_coarse_K` have K branches; `tee_thousands_K` has about K thousand triangles; `flush_K`
 /// has two of K sides whose ends lie in one plane; `prismspin_K` and `gears_K` have K prisms, over
-/// triangles and over stars, turned about their common axis, all ends in two planes. Throws std::out_of_range for other names.
+/// triangles and over stars, turned about their common axis, all ends in two planes. Throws
+/// std::out_of_range for other names.
 [[nodiscard]] std::vector<TriMesh> pipe_case(std::string_view name);
 
 [[nodiscard]] std::vector<std::string> pipe_case_names();

@@ -104,16 +104,17 @@ ArcPart arc_part(const ArcSpine& arc, const ParameterInterval& t) {
       numbers::interval_vec(arc.start) - numbers::interval_vec(arc.center);
   const numbers::IntervalVec v = numbers::cross(numbers::interval_vec(arc.axis), u);
   const Mpfi from = Mpfi(arc.angle) * t.from, to = Mpfi(arc.angle) * t.to;
-  const auto spoke = [&](const Mpfi& turned) {
-    return narrowed(cosine(turned)) * u + narrowed(sine(turned)) * v;
+  const auto turned = [](const Mpfi& angle) {
+    return std::pair(narrowed(cosine(angle)), narrowed(sine(angle)));
   };
-  const auto direction = [&](const Mpfi& turned) {
-    return narrowed(cosine(turned)) * v - narrowed(sine(turned)) * u;
-  };
+  using Turn = std::pair<numbers::Interval, numbers::Interval>;  // its cosine and sine
+  const Turn first = turned(from), middle = turned((from + to) / 2), last = turned(to);
+  const auto spoke = [&](const Turn& turn) { return turn.first * u + turn.second * v; };
+  const auto direction = [&](const Turn& turn) { return turn.first * v - turn.second * u; };
   const numbers::IntervalVec center = numbers::interval_vec(arc.center);
   const numbers::Interval stretch = numbers::Interval(1) / narrowed(cosine((to - from) / 2));
-  return {{center + spoke(from), center + stretch * spoke((from + to) / 2), center + spoke(to)},
-          {direction(from), direction(to)}};
+  return {{center + spoke(first), center + stretch * spoke(middle), center + spoke(last)},
+          {direction(first), direction(last)}};
 }
 
 // Positive and negative for a radius that grows or falls along the way; 0 for a constant one; none
