@@ -5,8 +5,10 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "assembly/cost_limit.h"
 #include "assembly/fillet_overlap.h"
@@ -18,6 +20,7 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin::assembly {
 namespace {
@@ -218,21 +221,19 @@ class RunMesher {
       }
     }
     std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
-    for (const std::size_t f : group.fillets) {
-      const ResolvedFillet& fillet = resolved_.fillets[f];
-      meshes[f] = fillet_meshes(assembly_, fillet,
-                                {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
-                                options_.most_triangles);
-      report_fillet(fillet, meshes[f]);
-    }
+    for_each_in_parallel(group.fillets.size(), [&](std::size_t i) {
+      const ResolvedFillet& fillet = resolved_.fillets[group.fillets[i]];
+      meshes[group.fillets[i]] = fillet_meshes(
+          assembly_, fillet, {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
+          options_.most_triangles);
+    });
     std::set<std::uint32_t> pipes;
     for (const std::size_t f : group.fillets) {
       const ResolvedFillet& fillet = resolved_.fillets[f];
+      report_fillet(fillet, meshes[f]);
       pipes.insert(fillet.between.begin(), fillet.between.end());
     }
-    for (const std::uint32_t part : pipes) {
-      trim(part, sampling, meshes);
-    }
+    trim({pipes.begin(), pipes.end()}, sampling, meshes);
     const JoinedMesher mesher{sampling, meshes, hubs(group.junctions, sampling)};
     try {
       result_.solids.push_back(joined(mesher, runs, group));
@@ -341,17 +342,34 @@ class RunMesher {
     result_.others.emplace_back(junction.index, std::move(entry));
   }
 
-  void trim(std::uint32_t part, const std::map<std::uint32_t, RingSampling>& sampling,
+  // Pipes end where their fillets begin.
+  void trim(const std::vector<std::uint32_t>& pipes,
+            const std::map<std::uint32_t, RingSampling>& sampling,
             const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
-    try {
-      Tessellation face = trimmed(resolved_, part, sampling.at(part), meshes);
-      PartReport& entry = result_.parts[part];
+    struct Face {
+      Tessellation face;
+      double smallest_angle = 0;
+      std::optional<Error> error;
+    };
+    std::vector<Face> faces(pipes.size());
+    for_each_in_parallel(pipes.size(), [&](std::size_t i) {
+      try {
+        faces[i].face = trimmed(resolved_, pipes[i], sampling.at(pipes[i]), meshes);
+        faces[i].smallest_angle = smallest_angle(faces[i].face.mesh);
+      } catch (const Error& error) {
+        faces[i].error = error;
+      }
+    });
+    for (std::size_t i = 0; i < pipes.size(); ++i) {
+      auto& [face, angle, error] = faces[i];
+      if (error) {
+        throw trim_refusal(assembly_, resolved_, pipes[i], sampling, meshes, *error);
+      }
+      PartReport& entry = result_.parts[pipes[i]];
       entry.error_bound = face.error_bound;
       entry.triangles = face.mesh.triangles.size();
-      entry.smallest_angle = smallest_angle(face.mesh);
-      tubes_[part] = std::move(face.mesh);
-    } catch (const Error& error) {
-      throw trim_refusal(assembly_, resolved_, part, sampling, meshes, error);
+      entry.smallest_angle = angle;
+      tubes_[pipes[i]] = std::move(face.mesh);
     }
   }
 
