@@ -233,6 +233,7 @@ KNOWN = {
     ("contact_arcs.cpp", "if (!(squared_sum[0].upper > 0)) {", ".upper"): LINE,
     ("contact_arcs.cpp", "ends.at(1 - i)).upper < 0) {", " < "): "the wider of two bounds",
     ("contact_arcs.cpp", "const double wide = most >= 0 ?", " >= "): ROUNDING,
+    ("contact_arcs.cpp", "inverse_cosine.upper).lower : most", ".lower"): ROUNDING,
     ("contact_arcs.cpp", "const bool falls = arcs.bending.upper >=", " >= "): INSIDE,
     ("contact_arcs.cpp", "bending.upper > std::max(bending[0].lower,", ".lower"): INSIDE,
     ("contact_arcs.cpp", "bending.upper > std::max(bending[0].upper, bending[1].lower", ".lower"): INSIDE,
