@@ -466,7 +466,7 @@ class Resolver {
     const assembly::PartKind& kind = part_kind(assembly_.parts[part].shape);
     const assembly::FilletPipes pipes = kind.pipes(assembly_.parts[part].shape);
     ResolvedFillet result{assembly_.parts[part].name, part, {}, {}};
-    assembly::PipesOfFillet given;
+    assembly::TubesToFillet given;
     for (std::size_t i = 0; i < 2; ++i) {
       const auto found = index_.find(pipes.names.at(i));
       if (found == index_.end()) {
@@ -539,7 +539,7 @@ void for_each_fillet(const Assembly& assembly, ResolvedAssembly& resolved, const
     const PartShape& shape = assembly.parts[fillet.index].shape;
     const ResolvedPart &first = resolved.parts[fillet.between[0]],
                        &second = resolved.parts[fillet.between[1]];
-    const assembly::PipesOfFillet pipes{{&first.shape, &second.shape}, {first.index, second.index}};
+    const assembly::TubesToFillet pipes{{&first.shape, &second.shape}, {first.index, second.index}};
     assembly::with_part_context(assembly, fillet.index,
                                 [&] { work(part_kind(shape), shape, pipes, fillet.shape); });
   });

@@ -14,7 +14,7 @@ struct PartRules<"cope"> {
   static FilletPipes pipes(const CopeOfEnd& cope) { return {"to", {cope.end.part, cope.to}}; }
 
   static Fillet fillet(const PartContext& context, const CopeOfEnd& cope,
-                       const PipesOfFillet& pipes) {
+                       const TubesToFillet& pipes) {
     if (cope.end.part == cope.to) {
       fail(context, "to", "an end is cut to fit another part");
     }

@@ -16,7 +16,7 @@ struct PartRules<"fillet"> {
   static FilletPipes pipes(const FilletBetween& fillet) { return {"between", fillet.between}; }
 
   static Fillet fillet(const PartContext& context, const FilletBetween& fillet,
-                       const PipesOfFillet& pipes) {
+                       const TubesToFillet& pipes) {
     check_positive(context, fillet.radius, "radius");
     if (fillet.between[0] == fillet.between[1]) {
       fail(context, "between", "a fillet is between two different parts");
@@ -26,12 +26,12 @@ struct PartRules<"fillet"> {
   }
 
   static void find_loops(const Assembly& assembly, const FilletBetween& fillet,
-                         const PipesOfFillet& pipes, Fillet& found) {
+                         const TubesToFillet& pipes, Fillet& found) {
     assembly::find_loops(found, pipes.surfaces, fillet.between, pipe_walls(assembly, pipes.parts));
   }
 
   static void prove(const Assembly& assembly, const FilletBetween& fillet,
-                    const PipesOfFillet& pipes, Fillet& found) {
+                    const TubesToFillet& pipes, Fillet& found) {
     assembly::prove(found, pipes.surfaces, fillet.between, pipe_walls(assembly, pipes.parts));
   }
 };

@@ -35,8 +35,8 @@ struct FilletPipes {
   std::array<std::string, 2> names;
 };
 
-/// These tubes: their surfaces, and where they are in Assembly::parts.
-struct PipesOfFillet {
+/// The tubes that have these names: their surfaces, and where they are in Assembly::parts.
+struct TubesToFillet {
   std::array<const PartSurface*, 2> surfaces{};
   std::array<std::uint32_t, 2> parts{};
 };
@@ -70,11 +70,11 @@ struct PartKind {
   std::vector<Need> (*needs)(const PartShape&);
   /// Of a fillet, none of other kinds: it is no part of its own, but trims these.
   FilletPipes (*pipes)(const PartShape&) = nullptr;
-  Fillet (*fillet)(const PartContext&, const PartShape&, const PipesOfFillet&) = nullptr;
+  Fillet (*fillet)(const PartContext&, const PartShape&, const TubesToFillet&) = nullptr;
   /// What `fillet` leaves open, each none of what leaves nothing open: where it is, and that it
   /// does not fold.
-  void (*find_loops)(const Assembly&, const PartShape&, const PipesOfFillet&, Fillet&) = nullptr;
-  void (*prove)(const Assembly&, const PartShape&, const PipesOfFillet&, Fillet&) = nullptr;
+  void (*find_loops)(const Assembly&, const PartShape&, const TubesToFillet&, Fillet&) = nullptr;
+  void (*prove)(const Assembly&, const PartShape&, const TubesToFillet&, Fillet&) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
   JunctionOfEnds (*junction)(const PartContext&, const PartShape&) = nullptr;

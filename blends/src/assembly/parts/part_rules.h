@@ -52,21 +52,21 @@ FilletPipes pipes_by_rules(const PartShape& shape) {
 
 template <KeyName key>
 Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
-                       const PipesOfFillet& pipes) {
+                       const TubesToFillet& pipes) {
   return of_shape<key, Fillet>(
       shape, [&](const auto& given) { return PartRules<key>::fillet(context, given, pipes); });
 }
 
 template <KeyName key>
 void find_loops_by_rules(const Assembly& assembly, const PartShape& shape,
-                         const PipesOfFillet& pipes, Fillet& fillet) {
+                         const TubesToFillet& pipes, Fillet& fillet) {
   of_shape<key, void>(shape, [&](const auto& given) {
     PartRules<key>::find_loops(assembly, given, pipes, fillet);
   });
 }
 
 template <KeyName key>
-void prove_by_rules(const Assembly& assembly, const PartShape& shape, const PipesOfFillet& pipes,
+void prove_by_rules(const Assembly& assembly, const PartShape& shape, const TubesToFillet& pipes,
                     Fillet& fillet) {
   of_shape<key, void>(
       shape, [&](const auto& given) { PartRules<key>::prove(assembly, given, pipes, fillet); });

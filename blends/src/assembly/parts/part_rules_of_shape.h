@@ -38,7 +38,7 @@ concept NamesEnd = requires {
 
 template <class Rules, class Shape>
 concept IsFillet = requires(const PartContext& context, const Shape& shape,
-                            const PipesOfFillet& pipes) {
+                            const TubesToFillet& pipes) {
   { Rules::pipes(shape) } -> std::same_as<FilletPipes>;
   { Rules::fillet(context, shape, pipes) } -> std::same_as<Fillet>;
 };
