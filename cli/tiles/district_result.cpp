@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 13\n";
+constexpr std::string_view kMark = "dupin district 14\n";
 
 class Writer {
  public:

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 
 #include <Eigen/Geometry>
@@ -121,9 +122,13 @@ class HubMesher {
   Tessellation run() {
     constexpr int kRounds = 100;
     refuse_too_fine();
-    triangulate();
-    for (int i = 0; i < kRounds && add_points(); ++i) {
-      triangulate();
+    triangulate([&] { region_.emplace(places_, polygons_); });
+    for (int i = 0; i < kRounds; ++i) {
+      const std::size_t before = places_.size();
+      if (!add_points()) {
+        break;
+      }
+      triangulate([&] { region_->add(std::span(places_).subspan(before)); });
     }
     refuse_inside_out();
     result_.bands = 1;
@@ -158,11 +163,10 @@ class HubMesher {
     cap_of_.insert(cap_of_.end(), polygon.size(), caps_.size() - 1);
   }
 
-  void triangulate() {
-    std::vector<std::uint32_t> inner(mesh().points.size() - cap_of_.size());
-    std::iota(inner.begin(), inner.end(), std::uint32_t(cap_of_.size()));
+  void triangulate(const auto& step) {
     try {
-      mesh().triangles = triangulate_region(places_, polygons_, inner);
+      step();
+      mesh().triangles = region_->triangles();
     } catch (const Error& error) {
       if (error.code() != Errc::self_intersecting) {
         throw;
@@ -352,6 +356,7 @@ class HubMesher {
   std::vector<std::vector<std::uint32_t>> polygons_;
   std::vector<std::size_t> cap_of_;  // by point of a polygon
   std::vector<Vec2> places_;
+  std::optional<RegionTriangulation> region_;
   Tessellation result_;
 };
 

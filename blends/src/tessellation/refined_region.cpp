@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -104,13 +105,22 @@ class Refiner {
   RefinedRegion run() {
     constexpr int kRounds = 40;
     fill();
-    auto triangles = triangulated();
-    for (int i = 0; i < kRounds && add_centers(triangles); ++i) {
-      triangles = triangulated();
-    }
-    for (int i = 0; i < kRounds && divide_wide(triangles); ++i) {
-      triangles = triangulated();
-    }
+    std::vector<std::uint32_t> inner(points_.size() - given_);
+    std::iota(inner.begin(), inner.end(), std::uint32_t(given_));
+    RegionTriangulation region(points_, polygons_, inner);
+    auto triangles = region.triangles();
+    const auto rounds = [&](const auto& added) {
+      for (int i = 0; i < kRounds; ++i) {
+        const std::size_t before = points_.size();
+        if (!added(triangles)) {
+          return;
+        }
+        region.add(std::span(points_).subspan(before));
+        triangles = region.triangles();
+      }
+    };
+    rounds([&](const auto& all) { return add_centers(all); });
+    rounds([&](const auto& all) { return divide_wide(all); });
     return {std::move(points_), std::move(triangles)};
   }
 
@@ -120,12 +130,6 @@ class Refiner {
 
   static constexpr double kJitter = 0.04;
   static constexpr double kSquaredRatio = 1.4;  // of circumradius and shortest side: 25 degrees
-
-  [[nodiscard]] std::vector<Triangle> triangulated() const {
-    std::vector<std::uint32_t> inner(points_.size() - given_);
-    std::iota(inner.begin(), inner.end(), std::uint32_t(given_));
-    return triangulate_region(points_, polygons_, inner);
-  }
 
   // Rows of an equilateral lattice, between every other two crossings with sides.
   void fill() {

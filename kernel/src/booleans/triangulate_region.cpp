@@ -1,10 +1,14 @@
 #include "dupin/kernel/triangulate_region.h"
 
 #include <algorithm>
+#include <array>
+#include <compare>
 #include <numeric>
 #include <random>
 #include <string>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 #include "arrangement/faces/constrained_triangulation.h"
 #include "dupin/kernel/error.h"
@@ -31,130 +35,105 @@ void require_points(std::span<const std::uint32_t> corners, std::size_t points) 
   }
 }
 
-class Region {
+// In [0, 1] of the way from low to high, in 2^-16.
+std::uint32_t share(double x, double low, double high) {
+  constexpr double kFinest = 65535;
+  return high > low ? static_cast<std::uint32_t>((x - low) / (high - low) * kFinest) : 0;
+}
+
+std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
+  std::uint64_t result = 0;
+  for (int bit = 15; bit >= 0; --bit) {
+    result = result << 2 | (x >> bit & 1U) << 1 | (y >> bit & 1U);
+  }
+  return result;
+}
+
+// In rounds of random points, each twice as large as all before and along a curve that fills the
+// plane: a search starts near its end, in a triangulation of which nothing is known (N. Amenta,
+// S. Choi, G. Rote, Incremental constructions con BRIO, 2003).
+void order_for_insertion(std::span<const Vec2> points, const Eigen::AlignedBox2d& box,
+                         std::vector<std::uint32_t>& corners) {
+  struct Keyed {
+    std::uint64_t place;
+    std::uint32_t corner;
+    auto operator<=>(const Keyed&) const = default;
+  };
+  std::vector<Keyed> order;
+  order.reserve(corners.size());
+  for (const std::uint32_t corner : corners) {
+    const Vec2& point = points[corner];
+    order.push_back({interleaved(share(point.x(), box.min().x(), box.max().x()),
+                                 share(point.y(), box.min().y(), box.max().y())),
+                     corner});
+  }
+  std::mt19937 random(1);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[random() % i]);
+  }
+  for (std::size_t end = order.size(); end > 1;) {
+    const std::size_t begin = end / 3;
+    std::ranges::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end));
+    end = begin;
+  }
+  std::ranges::transform(order, corners.begin(), &Keyed::corner);
+}
+
+// What refuses to make a point where sides cross, or a side where there are two.
+ConstrainedTriangulation::Caller refusing() {
+  return {[](std::uint32_t, std::uint32_t) -> arrangement::ImplicitPoint { refuse_touching(); },
+          [](std::uint32_t, std::uint32_t) -> std::uint32_t { refuse_touching(); }};
+}
+
+}  // namespace
+
+class RegionTriangulation::Region {
  public:
   Region(std::span<const Vec2> points, std::span<const Polygon> polygons,
          std::span<const std::uint32_t> inner)
-      : polygons_(polygons),
-        corners_(inner.begin(), inner.end()),
-        vertex_of_(points.size(), kNone) {
+      : given_(points.size()) {
+    std::vector<std::uint32_t> corners(inner.begin(), inner.end());
     for (const Polygon& polygon : polygons) {
       if (polygon.size() < 3) {
         throw Error(Errc::invalid_argument, "a polygon needs at least three corners, not " +
                                                 std::to_string(polygon.size()));
       }
-      corners_.insert(corners_.end(), polygon.begin(), polygon.end());
+      corners.insert(corners.end(), polygon.begin(), polygon.end());
     }
-    std::ranges::sort(corners_);
-    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    refuse_coincident(points);
-    order_for_insertion(points);
-    for (const std::uint32_t corner : corners_) {
-      table_.add(Vec3(points[corner].x(), points[corner].y(), 0));
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const std::uint32_t corner : corners) {
+      note_place(points[corner]);
     }
-    support_ = {table_.add(Vec3(0, 0, 0)), table_.add(Vec3(1, 0, 0)), table_.add(Vec3(0, 1, 0))};
+    refuse_coincident(0);
+    for (const std::uint32_t corner : corners) {
+      box_.extend(points[corner]);
+    }
+    order_for_insertion(points, box_, corners);
+    start(points, corners);
+    constrain(polygons);
   }
 
-  std::vector<Triangle> triangles() {
+  void add(std::span<const Vec2> points) {
+    const std::size_t before = places_.size();
+    std::ranges::for_each(points, [&](const Vec2& point) { note_place(point); });
+    refuse_coincident(before);
     const arrangement::UpwardRounding rounding;
-    const auto refuse = [](std::uint32_t, std::uint32_t) -> std::uint32_t { refuse_touching(); };
-    const auto refuse_point = [](std::uint32_t, std::uint32_t) -> arrangement::ImplicitPoint {
-      refuse_touching();
-    };
-    ConstrainedTriangulation triangulation(table_, {refuse_point, refuse});
-    triangulation.clear({2, 1});
-    std::vector<PointId> ids(corners_.size());
-    std::iota(ids.begin(), ids.end(), PointId{0});
-    triangulation.start_around(ids);
-    for (const PointId id : ids) {
-      vertex_of_[corners_[id]] = triangulation.add(id);
-      triangulation.insert(vertex_of_[corners_[id]]);
-    }
-    constrain(triangulation);
-    triangulation.improve(support_);
-    return inside(triangulation);
-  }
-
- private:
-  // In rounds of random points, each twice as large as all before and along a curve that fills the
-  // plane: a search starts near its end, in a triangulation of which nothing is known (N. Amenta,
-  // S. Choi, G. Rote, Incremental constructions con BRIO, 2003).
-  void order_for_insertion(std::span<const Vec2> points) {
-    std::mt19937 random(1);
-    for (std::size_t i = corners_.size(); i > 1; --i) {
-      std::swap(corners_[i - 1], corners_[random() % i]);
-    }
-    Vec2 low = points[corners_.front()], high = low;
-    for (const std::uint32_t corner : corners_) {
-      low = low.cwiseMin(points[corner]);
-      high = high.cwiseMax(points[corner]);
-    }
-    const auto place = [&](std::uint32_t corner) {
-      return interleaved(share(points[corner].x(), low.x(), high.x()),
-                         share(points[corner].y(), low.y(), high.y()));
-    };
-    for (std::size_t end = corners_.size(); end > 1;) {
-      const std::size_t begin = end / 3;
-      std::ranges::sort(corners_.begin() + std::ptrdiff_t(begin),
-                        corners_.begin() + std::ptrdiff_t(end), {},
-                        [&](std::uint32_t corner) { return std::pair(place(corner), corner); });
-      end = begin;
-    }
-  }
-
-  // Of the way from low to high, in 2^-16.
-  static std::uint32_t share(double x, double low, double high) {
-    constexpr double kFinest = 65535;
-    return high > low ? static_cast<std::uint32_t>((x - low) / (high - low) * kFinest) : 0;
-  }
-
-  static std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
-    std::uint64_t result = 0;
-    for (int bit = 15; bit >= 0; --bit) {
-      result = result << 2 | (x >> bit & 1U) << 1 | (y >> bit & 1U);
-    }
-    return result;
-  }
-
-  void refuse_coincident(std::span<const Vec2> points) const {
-    std::vector<std::array<double, 2>> places;
-    for (const std::uint32_t corner : corners_) {
-      const Vec2& point = points[corner];
-      if (!point.allFinite()) {
-        throw Error(Errc::invalid_argument, "the corner of a region is not finite");
+    for (const Vec2& point : points) {
+      if (box_.contains(point)) {  // no other can lie within the region
+        insert(append(point, std::uint32_t(given_)));
       }
-      places.push_back({point.x(), point.y()});
+      ++given_;
     }
-    std::ranges::sort(places);
-    if (std::ranges::adjacent_find(places) != places.end()) {
-      refuse_touching();
-    }
-  }
-
-  // Every side by a number of its own: one that passes a corner would be there twice.
-  void constrain(ConstrainedTriangulation& triangulation) const {
-    std::uint32_t sides = 0;
-    for (const Polygon& polygon : polygons_) {
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const std::uint32_t to = polygon[(i + 1) % polygon.size()];
-        triangulation.constrain(vertex_of_[polygon[i]], vertex_of_[to], sides++);
-      }
-    }
-    std::size_t halves = 0;
-    for (const auto& face : triangulation.faces()) {
-      halves += std::size_t(std::ranges::count_if(face.slots, [](auto s) { return s != kNone; }));
-    }
-    if (halves != 2 * std::size_t{sides}) {
-      refuse_touching();
-    }
+    refuse_broken_sides();
   }
 
   // From the outside in.
-  [[nodiscard]] std::vector<Triangle> inside(const ConstrainedTriangulation& triangulation) const {
+  [[nodiscard]] std::vector<Triangle> inside() const {
     enum class Side : std::uint8_t { unknown, outside, inside };
-    const auto& faces = triangulation.faces();
+    const auto& faces = triangulation_.faces();
     std::vector<Side> side(faces.size(), Side::unknown);
-    std::vector<std::uint32_t> open{triangulation.face_at_frame()};
+    std::vector<std::uint32_t> open{triangulation_.face_at_frame()};
     side[open.front()] = Side::outside;
     std::vector<Triangle> result;
     while (!open.empty()) {
@@ -171,7 +150,7 @@ class Region {
       if (side[face] == Side::inside) {
         Triangle corners{};
         std::ranges::transform(faces[face].corners, corners.begin(),
-                               [&](auto v) { return corners_[triangulation.point(v)]; });
+                               [&](auto v) { return corners_[triangulation_.point(v)]; });
         std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         result.push_back(corners);
       }
@@ -180,26 +159,114 @@ class Region {
     return result;
   }
 
-  std::span<const Polygon> polygons_;
+ private:
+  using Place = std::array<double, 2>;
+
+  PointId append(const Vec2& point, std::uint32_t corner) {
+    corners_.push_back(corner);
+    return table_.add(Vec3(point.x(), point.y(), 0));
+  }
+
+  ConstrainedTriangulation::Vertex insert(PointId id) {
+    const ConstrainedTriangulation::Vertex vertex = triangulation_.add(id);
+    triangulation_.insert(vertex);
+    return vertex;
+  }
+
+  void start(std::span<const Vec2> points, const std::vector<std::uint32_t>& corners) {
+    const arrangement::UpwardRounding rounding;
+    std::vector<PointId> ids;
+    ids.reserve(corners.size());
+    for (const std::uint32_t corner : corners) {
+      ids.push_back(append(points[corner], corner));
+    }
+    triangulation_.clear({2, 1});
+    triangulation_.start_around(ids);
+    vertex_of_.assign(points.size(), kNone);
+    for (const PointId id : ids) {
+      vertex_of_[corners_[id]] = insert(id);
+    }
+  }
+
+  // Every side by a number of its own: one that passes a corner would be there twice.
+  void constrain(std::span<const Polygon> polygons) {
+    const arrangement::UpwardRounding rounding;
+    for (const Polygon& polygon : polygons) {
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const std::uint32_t to = polygon[(i + 1) % polygon.size()];
+        triangulation_.constrain(vertex_of_[polygon[i]], vertex_of_[to], sides_++);
+      }
+    }
+    vertex_of_ = {};
+    refuse_broken_sides();
+    triangulation_.improve({append({0, 0}, kNone), append({1, 0}, kNone), append({0, 1}, kNone)});
+  }
+
+  void refuse_broken_sides() const {
+    std::size_t halves = 0;
+    for (const auto& face : triangulation_.faces()) {
+      halves += std::size_t(std::ranges::count_if(face.slots, [](auto s) { return s != kNone; }));
+    }
+    if (halves != 2 * std::size_t{sides_}) {
+      refuse_touching();
+    }
+  }
+
+  void note_place(const Vec2& point) {
+    if (!point.allFinite()) {
+      throw Error(Errc::invalid_argument, "the corner of a region is not finite");
+    }
+    places_.push_back({point.x(), point.y()});
+  }
+
+  // Places from there on, with each other or with those before.
+  void refuse_coincident(std::size_t from) {
+    const auto first_new = places_.begin() + std::ptrdiff_t(from);
+    std::ranges::sort(first_new, places_.end());
+    std::ranges::inplace_merge(places_, first_new);
+    if (std::ranges::adjacent_find(places_) != places_.end()) {
+      refuse_touching();
+    }
+  }
+
+  arrangement::PointTable table_;
+  ConstrainedTriangulation triangulation_{table_, refusing()};
   std::vector<std::uint32_t> corners_;  // by their ids in the table
   std::vector<std::uint32_t> vertex_of_;
-  arrangement::PointTable table_;
-  Triangle support_{};
+  std::vector<Place> places_;  // sorted
+  Eigen::AlignedBox2d box_;
+  std::size_t given_;  // points
+  std::uint32_t sides_ = 0;
 };
 
-}  // namespace
-
-std::vector<Triangle> triangulate_region(std::span<const Vec2> points,
-                                         std::span<const std::vector<std::uint32_t>> polygons,
+RegionTriangulation::RegionTriangulation(std::span<const Vec2> points,
+                                         std::span<const Polygon> polygons,
                                          std::span<const std::uint32_t> inner) {
   require_points(inner, points.size());
   for (const Polygon& polygon : polygons) {
     require_points(polygon, points.size());
   }
-  if (polygons.empty()) {
-    return {};
+  if (!polygons.empty()) {
+    region_ = std::make_unique<Region>(points, polygons, inner);
   }
-  return Region(points, polygons, inner).triangles();
+}
+
+RegionTriangulation::~RegionTriangulation() = default;
+
+void RegionTriangulation::add(std::span<const Vec2> points) {
+  if (region_) {
+    region_->add(points);
+  }
+}
+
+std::vector<Triangle> RegionTriangulation::triangles() const {
+  return region_ ? region_->inside() : std::vector<Triangle>();
+}
+
+std::vector<Triangle> triangulate_region(std::span<const Vec2> points,
+                                         std::span<const Polygon> polygons,
+                                         std::span<const std::uint32_t> inner) {
+  return RegionTriangulation(points, polygons, inner).triangles();
 }
 
 }  // namespace dupin

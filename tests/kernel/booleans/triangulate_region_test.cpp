@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -159,6 +161,50 @@ TEST(TriangulateRegion, refuses_polygons_that_cross_or_touch) {
   EXPECT_EQ(refusal(with({{0, 0}, {1, 1}})), Errc::invalid_argument);
   EXPECT_EQ(refusal(with({{0, 0}, {1, 1}, {std::numeric_limits<double>::quiet_NaN(), 0}})),
             Errc::invalid_argument);
+}
+
+// Added in any portions; what doubles cannot tell is not among random points.
+TEST(RegionTriangulation, has_the_triangles_of_all_points_at_once) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> coordinate(-5, 5);
+  for (const std::size_t count : {3U, 40U, 700U}) {
+    Drawing drawing;
+    drawing.add({{-4, -4.25}, {4.5, -4}, {4, 4.125}, {-4.375, 4}});
+    drawing.add({{-1, -1.25}, {1.5, -1}, {0, 1.125}});
+    RegionTriangulation region(drawing.points, drawing.polygons);
+    std::vector<std::uint32_t> inner;
+    while (inner.size() < count) {
+      const std::size_t before = drawing.points.size();
+      for (std::size_t portion = inner.size() / 2 + 1; portion > 0; --portion) {
+        inner.push_back(std::uint32_t(drawing.points.size()));
+        drawing.points.emplace_back(coordinate(random), coordinate(random));
+      }
+      region.add(std::span(drawing.points).subspan(before));
+      EXPECT_TRUE(region.triangles() == triangulate_region(drawing.points, drawing.polygons, inner))
+          << inner.size();
+    }
+  }
+}
+
+TEST(RegionTriangulation, refuses_points_on_sides_and_points_that_are_there_already) {
+  Drawing drawing;
+  drawing.add(square(2));
+  const auto code = [&](const std::vector<Vec2>& more) {
+    RegionTriangulation region(drawing.points, drawing.polygons);
+    region.add(std::vector<Vec2>{{0.5, 0.25}});
+    try {
+      region.add(more);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return Errc::internal;
+  };
+  EXPECT_EQ(code({{2, 0.5}}), Errc::self_intersecting) << "on a side";
+  EXPECT_EQ(code({{2, 2}}), Errc::self_intersecting) << "a corner";
+  EXPECT_EQ(code({{1, 1}, {0.5, 0.25}}), Errc::self_intersecting) << "there already";
+  EXPECT_EQ(code({{1, 1}, {0, 0}, {1, 1}}), Errc::self_intersecting) << "twice";
+  EXPECT_EQ(code({{std::numeric_limits<double>::infinity(), 0}}), Errc::invalid_argument);
+  EXPECT_EQ(code({{1, 1}, {1e9, 0}}), Errc::internal) << "nothing to refuse";
 }
 
 TEST(TriangulateRegion, of_no_polygons_is_empty) {

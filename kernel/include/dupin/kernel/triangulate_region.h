@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,5 +24,24 @@ namespace dupin {
 [[nodiscard]] std::vector<Triangle> triangulate_region(
     std::span<const Vec2> points, std::span<const std::vector<std::uint32_t>> polygons,
     std::span<const std::uint32_t> inner = {});
+
+/// The same for inner points of which more are added later: up to what doubles can tell the
+/// triangles that all would have at once. To add one costs the way to it from the last one, and
+/// what it changes.
+class RegionTriangulation {
+ public:
+  RegionTriangulation(std::span<const Vec2> points,
+                      std::span<const std::vector<std::uint32_t>> polygons,
+                      std::span<const std::uint32_t> inner = {});
+  ~RegionTriangulation();
+
+  /// Inner points, whose indices follow those of all before. Throws as `triangulate_region`.
+  void add(std::span<const Vec2> points);
+  [[nodiscard]] std::vector<Triangle> triangles() const;
+
+ private:
+  class Region;
+  std::unique_ptr<Region> region_;
+};
 
 }  // namespace dupin

@@ -39,6 +39,7 @@ void ConstrainedTriangulation::clear(const Projection& projection) {
   balls_.clear();
   frame_corners_.clear();
   in_cavity_.clear();
+  is_improved_ = false;
   hint_ = 0;
   random_ = 1;
 }
@@ -80,8 +81,6 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(
   corner[(projection_.axis + 2) % 3] = place[1];
   return add_vertex(Interval(place[0]), Interval(place[1]), id, 0);
 }
-
-void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
 
 void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
   const std::array<Eigen::Vector2d, 3> frame = frame_around(points_, ids, projection_);
@@ -257,8 +256,8 @@ void ConstrainedTriangulation::insert(Vertex p) {
     beyond = faces_[at_p.face].neighbours[at(at_p.corner)];
     split_edge(at_p.face, at_p.corner, p);
   }
-  if (faces_.size() >= kMany) {
-    push_edges(before < kMany ? 0 : before, faces_.size());
+  if (is_improved_ || faces_.size() >= kMany) {
+    push_edges(is_improved_ || before >= kMany ? before : 0, faces_.size());
     push_edges(at_p.face, at_p.face + 1);
     push_edges(beyond, beyond == kNone ? beyond : beyond + 1);
     const int sign = projection_.orientation;
@@ -595,6 +594,7 @@ void ConstrainedTriangulation::improve(const Triangle& support) {
   }
   push_edges(0, faces_.size());
   flip_towards_delaunay([this](Vertex v) { return planar_[v]; }, false);
+  is_improved_ = true;
 }
 
 }  // namespace dupin::arrangement

@@ -49,7 +49,7 @@ class ConstrainedTriangulation {
   /// Makes a vertex without inserting it.
   Vertex add(PointId id, Lines lines = 0);
   /// The triangle that holds all other vertices, counter-clockwise in the projection.
-  void start(Vertex a, Vertex b, Vertex c);
+  void start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
   /// A triangle around these points instead: a frame of three vertices that stand for no points.
   void start_around(std::span<const PointId> ids);
   /// A triangulated polygon instead, of all vertices: each triangle is cut off what the ones before
@@ -57,7 +57,8 @@ class ConstrainedTriangulation {
   void start(std::span<const std::array<Vertex, 3>> ears);
   void insert(Vertex p);
   void constrain(Vertex a, Vertex b, std::uint32_t slot);
-  /// Flips edges without constraint towards Delaunay, as far as doubles can tell.
+  /// Flips edges without constraint towards Delaunay, as far as doubles can tell. Vertices that are
+  /// inserted after it leave that so, until the next clear().
   void improve(const Triangle& support);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
@@ -182,6 +183,7 @@ class ConstrainedTriangulation {
   // many most points are collinear, balls are not tried.
   static constexpr int kMostCollinear = 32;
   mutable int collinear_ = 0;
+  bool is_improved_ = false;
   std::uint32_t hint_ = 0, random_ = 1;
   std::vector<std::uint32_t> cavity_, spare_;
   std::vector<std::uint8_t> in_cavity_;
