@@ -1,6 +1,7 @@
 #include "assembly/cost_limit.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -164,7 +165,7 @@ class Estimator {
 
   void add_feet(const CanalFillet& loop, const std::array<std::uint32_t, 2>& between,
                 std::map<std::uint32_t, TrimmedFace>& faces) const {
-    constexpr int kFeet = 64;
+    constexpr int kFeet = 32;
     std::array<std::vector<Vec3>, 2> feet;
     for (int i = 0; i < kFeet; ++i) {
       const auto [first, second] =
@@ -277,32 +278,39 @@ std::vector<std::set<std::uint32_t>> joined_parts(const ResolvedAssembly& resolv
   return result;
 }
 
-// Of parts whose boxes touch along the axes of coordinates, and along others where these are small.
-template <class Visit>
-void for_each_near_pair(const ResolvedAssembly& resolved, const Visit& visit) {
+// Of which these boxes touch, and others where those are small.
+template <class Counts>
+std::vector<std::array<std::uint32_t, 2>> near_pairs(const ResolvedAssembly& resolved,
+                                                     const Boxes& boxes, const Counts& counts) {
+  // So few have no more pairs than may be gone through before other axes are looked for.
+  constexpr std::size_t kFew = 64;
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    if (boxes[a].intersects(boxes[b]) && counts(a, b)) {
+      pairs.push_back({a, b});
+    }
+  };
+  const bool are_few = boxes.size() <= kFew;
+  if (are_few) {
+    for_each_touching(boxes, add);
+  }
+  if (are_few && pairs.empty()) {
+    return pairs;
+  }
   std::vector<const PartSurface*> shapes;
   for (const ResolvedPart& part : resolved.parts) {
     shapes.push_back(&part.shape);
   }
-  const auto boxes_along = [&](const View& axes) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    boxes.reserve(shapes.size());
-    for (const PartSurface* shape : shapes) {
-      boxes.push_back(part_box(*shape, axes));
-    }
-    return boxes;
-  };
-  const auto boxes = boxes_along({});
-  const auto axes = main_axes(shapes);
-  if (!axes) {
-    for_each_touching(boxes, visit);
-    return;
+  if (const auto axes = main_axes(shapes)) {
+    Boxes along;
+    std::ranges::transform(shapes, std::back_inserter(along),
+                           [&](const PartSurface* shape) { return part_box(*shape, *axes); });
+    pairs.clear();
+    for_each_touching(along, add);
+  } else if (!are_few) {
+    for_each_touching(boxes, add);
   }
-  for_each_touching(boxes_along(*axes), [&](std::uint32_t a, std::uint32_t b) {
-    if (boxes[a].intersects(boxes[b])) {
-      visit(a, b);
-    }
-  });
+  return pairs;
 }
 
 }  // namespace
@@ -350,7 +358,7 @@ double expected_triangles(const Assembly& assembly, const ResolvedAssembly& reso
 }
 
 double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
-                          std::span<const WeldedRun> runs, double grid,
+                          const Boxes& boxes, std::span<const WeldedRun> runs, double grid,
                           std::span<const RingSampling> given) {
   std::vector<std::size_t> run_of(resolved.parts.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
@@ -365,11 +373,11 @@ double expected_crossings(const Assembly& assembly, const ResolvedAssembly& reso
   }
   const auto joined = joined_parts(resolved);
   double triangles = 0;
-  for_each_near_pair(resolved, [&](std::uint32_t a, std::uint32_t b) {
-    if (run_of[a] != run_of[b] && segments[a] && segments[b] && !joined[a].contains(b)) {
-      triangles += kTrianglesPerSegment * (*segments[a] + *segments[b]);
-    }
-  });
+  for (const auto& [a, b] : near_pairs(resolved, boxes, [&](std::uint32_t a, std::uint32_t b) {
+         return run_of[a] != run_of[b] && segments[a] && segments[b] && !joined[a].contains(b);
+       })) {
+    triangles += kTrianglesPerSegment * (*segments[a] + *segments[b]);
+  }
   return triangles;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assembly/welded_runs.h"
+#include "dupin/kernel/districts.h"
 
 namespace dupin::assembly {
 
@@ -34,11 +35,10 @@ void refuse_too_costly(const Assembly& assembly,
                                         std::span<const RingSampling> given = {});
 
 /// How many triangles the curves add in which parts of different runs cross, at most, roughly: of
-/// all whose boxes touch, along the coordinates' axes and the parts' main ones, and that no fillet
-/// and no junction joins, as if each went through the middle of the other. O(n log n) and these
-/// pairs.
+/// all whose boxes touch, these and such along the parts' main axes, and that no fillet and no
+/// junction joins, as if each went through the middle of the other. O(n log n) and these pairs.
 [[nodiscard]] double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
-                                        std::span<const WeldedRun> runs, double grid,
-                                        std::span<const RingSampling> given = {});
+                                        const Boxes& boxes, std::span<const WeldedRun> runs,
+                                        double grid, std::span<const RingSampling> given = {});
 
 }  // namespace dupin::assembly

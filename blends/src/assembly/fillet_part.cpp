@@ -22,7 +22,8 @@ namespace dupin::assembly {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kSamples = 256;  // of a loop
+// Of a loop: few tell most.
+constexpr int kFewSamples = 64, kSamples = 256;
 constexpr double kTouching = canal::kTouching;
 constexpr double kRounding = 1e-13;  // of what is no touch
 // A smaller gap would have the ball turn within the rounding of where it is.
@@ -42,16 +43,17 @@ const RingedSurface& straight_tube(const PartSurface& surface, const std::string
   return *tube;
 }
 
-// Points that a loop has on both pipes.
-std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
+// By points that a loop has on both pipes.
+std::array<Course, 2> courses_of(const CanalFillet& loop, const std::array<Pipe, 2>& pipes,
+                                 int samples) {
   std::array<std::vector<Vec3>, 2> feet;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < samples; ++i) {
     const auto [first, second] =
-        canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kSamples));
+        canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / samples));
     feet[0].push_back(first);
     feet[1].push_back(second);
   }
-  return feet;
+  return {pipes[0].course(feet[0]), pipes[1].course(feet[1])};
 }
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
@@ -221,12 +223,25 @@ class Search {
     return {};
   }
 
+  [[nodiscard]] std::array<Place, 2> places_of(const std::array<Course, 2>& courses) const {
+    return {pipes_[0].place(courses[0], result_.buried[0]),
+            pipes_[1].place(courses[1], result_.buried[1])};
+  }
+
   void consider(CanalFillet loop) {
-    const auto feet = sampled_feet(loop);
-    const std::array<Course, 2> courses{pipes_[0].course(feet[0]), pipes_[1].course(feet[1])};
-    const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),
-                                      pipes_[1].place(courses[1], result_.buried[1])};
-    if (places[0] != Place::within || places[1] != Place::within) {
+    constexpr std::array<Place, 2> kWithin{Place::within, Place::within};
+    std::array<Course, 2> courses = courses_of(loop, pipes_, kFewSamples);
+    const std::array<Course, 2> wide{courses[0].widened(), courses[1].widened()};
+    if (pipes_[0].is_beyond_buried_end(wide[0], result_.buried[0]) ||
+        pipes_[1].is_beyond_buried_end(wide[1], result_.buried[1])) {
+      return;
+    }
+    std::array<Place, 2> places = places_of(wide);
+    if (places != kWithin) {
+      courses = courses_of(loop, pipes_, kSamples);
+      places = places_of(courses);
+    }
+    if (places != kWithin) {
       note_missing(courses);
     }
     if (places[0] == Place::beside || places[1] == Place::beside) {

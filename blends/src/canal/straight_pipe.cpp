@@ -31,17 +31,28 @@ StraightPipe::StraightPipe(const RingedSurface& tube, const std::string& name, d
       axis_(tube.end.normal),
       length_((tube.end.center - tube.start.center).dot(axis_)) {}
 
+// How often it goes about the axis: as often as it crosses a half-plane from it.
 Course StraightPipe::course(std::span<const Vec3> points) const {
   Course course;
-  double turn = 0;
   Vec3 last = arm(points.back());
+  const Vec3 up = axis_.cross(last);
+  double last_height = height(points.back());
+  bool was_up = last.dot(up) >= 0;
+  int turns = 0;
   for (const Vec3& point : points) {
     const Vec3 next = arm(point);
-    course.height.include(height(point));
-    turn += std::atan2(last.cross(next).dot(axis_), last.dot(next));
+    const double next_height = height(point);
+    course.height.include(next_height);
+    course.step = std::max(course.step, std::abs(next_height - last_height));
+    const bool is_up = next.dot(up) >= 0;
+    if (is_up != was_up && (last.cross(next).dot(axis_) > 0) == is_up) {
+      turns += is_up ? 1 : -1;
+    }
     last = next;
+    last_height = next_height;
+    was_up = is_up;
   }
-  course.winds = std::abs(turn) > kTurn / 2;
+  course.winds = turns != 0;
   return course;
 }
 

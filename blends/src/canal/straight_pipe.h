@@ -25,7 +25,13 @@ struct Range {
 /// How a loop lies on one of its pipes.
 struct Course {
   Range height;        ///< along the axis, from the start
+  double step = 0;     ///< the most by which it changes from one point to the next
   bool winds = false;  ///< about the axis
+
+  /// Of all places between the points, too, of a loop that turns no more sharply there.
+  [[nodiscard]] Course widened() const {
+    return {{height.least - step, height.most + step}, step, winds};
+  }
 };
 
 enum class Place { within, beside, across };
@@ -54,6 +60,12 @@ class StraightPipe {
   /// Beyond a buried end there is no face: a loop is on this side of it, but for one point where
   /// the pipes touch, or on the other.
   [[nodiscard]] Place place(const Course& course, const std::array<bool, 2>& buried) const;
+
+  /// Whether all of it is, so that it is `beside`.
+  [[nodiscard]] bool is_beyond_buried_end(const Course& course,
+                                          const std::array<bool, 2>& buried) const {
+    return (buried[0] && course.height.most < 0) || (buried[1] && course.height.least > length_);
+  }
 
   /// How far a disc reaches out of it, negative inside; and a point.
   [[nodiscard]] double reach_out(const Ring& disc) const;

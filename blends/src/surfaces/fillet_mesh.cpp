@@ -292,7 +292,7 @@ class Mesher {
 }  // namespace
 
 double expected_triangles(const CanalFillet& loop, const FilletSampling& sampling) {
-  constexpr int kSteps = 64;
+  constexpr int kSteps = 32;
   constexpr double kHalved = 1.4;  // rows are placed by halving
   const double allowed = allowed_error(sampling.tolerance, displacement_of(loop, sampling.grid));
   double columns = 2, rows = 0;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "assembly/cost_limit.h"
+#include "assembly/part_box.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
@@ -239,7 +240,11 @@ TEST(CostLimit, counts_crossings_but_not_where_parts_are_joined) {
   const auto crossings = [](const std::string& parts) {
     const Assembly assembly = document({"0.05", parts, false});
     const ResolvedAssembly resolved = resolve(assembly);
-    return expected_crossings(assembly, resolved, welded_runs(resolved),
+    Boxes boxes;
+    for (const ResolvedPart& part : resolved.parts) {
+      boxes.push_back(part_box(part.shape, {}));
+    }
+    return expected_crossings(assembly, resolved, boxes, welded_runs(resolved),
                               lattice_spacing(assembly, resolved));
   };
   const auto pipe = [](const std::string& name, const std::string& from, const std::string& to) {

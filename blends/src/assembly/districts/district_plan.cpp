@@ -187,6 +187,8 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
     }
   }
   require_whole_runs(resolved, members, result.resolved);
+  result.boxes.assign(members.boxes.begin(),
+                      members.boxes.begin() + std::ptrdiff_t(members.parts.size()));
   result.piece = members.piece;
   if (result.piece) {
     result.assembly.tolerance = result.piece->tolerance;

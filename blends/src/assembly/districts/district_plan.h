@@ -57,6 +57,7 @@ struct District {
   Assembly assembly;
   ResolvedAssembly resolved;
   std::vector<std::uint32_t> parts;  ///< of its parts, the places in Assembly::parts of the whole
+  Boxes boxes;                       ///< about the parts of `resolved`
   std::optional<PieceOf> piece;      ///< whose ends are those of `resolved`
 };
 

@@ -233,7 +233,7 @@ class Expectation {
     return expected_triangles(own_.assembly, own_.resolved, runs_, grid_, given());
   }
   [[nodiscard]] double crossings() const {
-    return expected_crossings(own_.assembly, own_.resolved, runs_, grid_, given());
+    return expected_crossings(own_.assembly, own_.resolved, own_.boxes, runs_, grid_, given());
   }
 
  private:
