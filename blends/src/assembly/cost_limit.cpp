@@ -19,6 +19,7 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "surfaces/fillet_mesh.h"
 #include "surfaces/mesh_cost.h"
 #include "tessellation/tessellation_tolerance.h"
@@ -136,50 +137,71 @@ class Estimator {
     });
   }
 
+  // What a fillet adds: its own triangles, and what bounds the faces of its pipes.
+  struct FilletCost {
+    double triangles = 0;
+    std::array<std::vector<std::vector<Vec3>>, 2> feet;  // of each loop
+  };
+
   // And of their pipes' faces, which have triangles of the size of their segments where they are.
-  void add_fillets(const Assembly& assembly, const std::map<std::uint32_t, RingSampling>& samplings,
-                   Estimate& result) const {
+  void add_fillets(const Assembly& assembly, const Samplings& samplings, Estimate& result) const {
+    std::vector<FilletCost> costs(resolved_.fillets.size());
+    const auto has_samplings = [&](const ResolvedFillet& fillet) {
+      return samplings.contains(fillet.between[0]) && samplings.contains(fillet.between[1]);
+    };
+    const auto segments_at = [&](const ResolvedFillet& fillet) {
+      return std::array{samplings.at(fillet.between[0]).segments,
+                        samplings.at(fillet.between[1]).segments};
+    };
+    for_each_in_parallel(costs.size(), [&](std::size_t i) {
+      const ResolvedFillet& fillet = resolved_.fillets[i];
+      if (has_samplings(fillet)) {
+        costs[i] = cost_of(assembly, fillet, segments_at(fillet));
+      }
+    });
     std::map<std::uint32_t, TrimmedFace> faces;  // by part
-    for (const ResolvedFillet& fillet : resolved_.fillets) {
-      if (!samplings.contains(fillet.between[0]) || !samplings.contains(fillet.between[1])) {
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      const ResolvedFillet& fillet = resolved_.fillets[i];
+      if (!has_samplings(fillet)) {
         continue;
       }
-      const std::array<std::uint32_t, 2> segments{samplings.at(fillet.between[0]).segments,
-                                                  samplings.at(fillet.between[1]).segments};
-      double own = 0;
-      for (const CanalFillet& loop : fillet.shape.loops) {
-        if (!fillet.shape.is_cope()) {
-          own += surfaces::expected_triangles(
-              loop, {assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_});
-        }
-        add_feet(loop, fillet.between, faces);
+      result.add({costs[i].triangles, 0}, fillet, std::ranges::max(segments_at(fillet)), limit_);
+      for (std::size_t side = 0; side < 2; ++side) {
+        TrimmedFace& face = faces[fillet.between.at(side)];
+        std::ranges::move(costs[i].feet.at(side), std::back_inserter(face.curves));
       }
-      result.add({own, 0}, fillet, std::max(segments[0], segments[1]), limit_);
     }
-    for (const auto& [index, face] : faces) {
+    for (auto& [index, face] : faces) {
+      const Chain& chain = std::get<Chain>(resolved_.parts[index].shape);
+      face.start = end_ring(chain, End::start);
+      face.end = end_ring(chain, End::end);
       const RingSampling& sampling = samplings.at(index);
       result.add({tessellation::expected_triangles(face, sampling), 0}, resolved_.parts[index],
                  sampling.segments, limit_);
     }
   }
 
-  void add_feet(const CanalFillet& loop, const std::array<std::uint32_t, 2>& between,
-                std::map<std::uint32_t, TrimmedFace>& faces) const {
+  [[nodiscard]] FilletCost cost_of(const Assembly& assembly, const ResolvedFillet& fillet,
+                                   const std::array<std::uint32_t, 2>& segments) const {
     constexpr int kFeet = 32;
-    std::array<std::vector<Vec3>, 2> feet;
-    for (int i = 0; i < kFeet; ++i) {
-      const auto [first, second] =
-          canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kFeet));
-      feet[0].push_back(first);
-      feet[1].push_back(second);
+    FilletCost result;
+    for (const CanalFillet& loop : fillet.shape.loops) {
+      if (!fillet.shape.is_cope()) {
+        result.triangles += surfaces::expected_triangles(
+            loop, {assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_});
+      }
+      std::array<std::vector<Vec3>, 2> feet;
+      for (int i = 0; i < kFeet; ++i) {
+        const auto [first, second] =
+            canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kFeet));
+        feet[0].push_back(first);
+        feet[1].push_back(second);
+      }
+      for (std::size_t side = 0; side < 2; ++side) {
+        result.feet.at(side).push_back(std::move(feet.at(side)));
+      }
     }
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Chain& chain = std::get<Chain>(resolved_.parts[between.at(side)].shape);
-      TrimmedFace& face = faces[between.at(side)];
-      face.start = end_ring(chain, End::start);
-      face.end = end_ring(chain, End::end);
-      face.curves.push_back(std::move(feet.at(side)));
-    }
+    return result;
   }
 
   const ResolvedAssembly& resolved_;

@@ -7,6 +7,7 @@
 #include "curves/exact_radius.h"
 #include "dupin/kernel/error.h"
 #include "numbers/bezier.h"
+#include "numbers/cosine_and_sine.h"
 #include "numbers/mpfi_interval.h"
 #include "numbers/polynomial.h"
 #include "ringed/second_derivatives.h"
@@ -21,11 +22,6 @@ constexpr double kRounding = 0x1p-40;
 
 // Arcs turn by less than a half turn per rational quadratic; more is put together.
 constexpr double kLargestHalfTurn = 1.5;
-
-numbers::Interval narrowed(const Mpfi& x) {
-  const Enclosure e = x.rounded_outward();
-  return {e.lower, e.upper};
-}
 
 double angle_between(const numbers::IntervalVec& a, const numbers::IntervalVec& b) {
   const numbers::Interval y = numbers::norm(numbers::cross(a, b)), x = numbers::dot(a, b);
@@ -103,16 +99,17 @@ ArcPart arc_part(const ArcSpine& arc, const ParameterInterval& t) {
   const numbers::IntervalVec u =
       numbers::interval_vec(arc.start) - numbers::interval_vec(arc.center);
   const numbers::IntervalVec v = numbers::cross(numbers::interval_vec(arc.axis), u);
-  const Mpfi from = Mpfi(arc.angle) * t.from, to = Mpfi(arc.angle) * t.to;
-  const auto turned = [](const Mpfi& angle) {
-    return std::pair(narrowed(cosine(angle)), narrowed(sine(angle)));
-  };
-  using Turn = std::pair<numbers::Interval, numbers::Interval>;  // its cosine and sine
-  const Turn first = turned(from), middle = turned((from + to) / 2), last = turned(to);
-  const auto spoke = [&](const Turn& turn) { return turn.first * u + turn.second * v; };
-  const auto direction = [&](const Turn& turn) { return turn.first * v - turn.second * u; };
+  const numbers::Interval from = numbers::Interval(arc.angle) * t.from,
+                          to = numbers::Interval(arc.angle) * t.to, half = 0.5;
+  using Turn = numbers::CosineAndSine;
+  const Turn first = numbers::cosine_and_sine(from),
+             middle = numbers::cosine_and_sine(half * (from + to)),
+             last = numbers::cosine_and_sine(to);
+  const auto spoke = [&](const Turn& turn) { return turn.cosine * u + turn.sine * v; };
+  const auto direction = [&](const Turn& turn) { return turn.cosine * v - turn.sine * u; };
   const numbers::IntervalVec center = numbers::interval_vec(arc.center);
-  const numbers::Interval stretch = numbers::Interval(1) / narrowed(cosine((to - from) / 2));
+  const numbers::Interval stretch =
+      numbers::Interval(1) / numbers::cosine_and_sine(half * (to - from)).cosine;
   return {{center + spoke(first), center + stretch * spoke(middle), center + spoke(last)},
           {direction(first), direction(last)}};
 }
