@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "dupin/io/report_json.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin::json {
@@ -15,6 +19,14 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_value(const OutputReport& report);
 [[nodiscard]] Json json_value(const GapSummary& summary);
 [[nodiscard]] Json json_value(const PlacementReport& placement);
+
+/// What `make` says of each, made by all threads: reports on large documents have ten thousands.
+template <class Value, class Make>
+[[nodiscard]] Json json_list(const std::vector<Value>& values, const Make& make) {
+  Json::array_t result(values.size());
+  for_each_in_parallel(values.size(), [&](std::size_t i) { result[i] = make(values[i]); });
+  return result;
+}
 
 /// Bytes that are no UTF-8 (file names may hold them) become U+FFFD.
 [[nodiscard]] std::string text(const Json& json);

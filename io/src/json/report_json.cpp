@@ -30,19 +30,14 @@ Json json_value(const ShellReport& shell) {
 }
 
 Json json_places(const std::vector<Vec3>& places) {
-  Json list = Json::array();
-  for (const Vec3& place : places) {
-    list.push_back(json_value(place));
-  }
-  return list;
+  return json_list(places, [](const Vec3& place) { return json_value(place); });
 }
 
 Json json_shells(const std::vector<ThinShell>& shells) {
-  Json list = Json::array();
-  for (const auto& [place, thickness, move] : shells) {
-    list.push_back({{"place", json_value(place)}, {"thickness", thickness}, {"move", move}});
-  }
-  return list;
+  return json_list(shells, [](const ThinShell& shell) -> Json {
+    return {
+        {"place", json_value(shell.place)}, {"thickness", shell.thickness}, {"move", shell.move}};
+  });
 }
 
 Json json_value(const RoundingReport& rounding) {
@@ -97,11 +92,7 @@ Json json_value(const StageTime& time) {
 
 template <class Value>
 Json list(const std::vector<Value>& values) {
-  Json result = Json::array();
-  for (const Value& value : values) {
-    result.push_back(json_value(value));
-  }
-  return result;
+  return json_list(values, [](const Value& value) { return json_value(value); });
 }
 
 /// Only the defects that occur.

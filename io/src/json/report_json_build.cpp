@@ -30,26 +30,23 @@ Json part_json(const PartReport& part) {
 }
 
 Json notes_json(const std::vector<SourceNote>& all) {
-  Json notes = Json::array();
-  for (const SourceNote& note : all) {
-    notes.push_back({{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
-                     {"text", note.text},
-                     {"refused", note.is_refusal}});
-  }
-  return notes;
+  return json_list(all, [](const SourceNote& note) -> Json {
+    return {{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
+            {"text", note.text},
+            {"refused", note.is_refusal}};
+  });
 }
 
 Json piping_json(const PcfReport& piping) {
-  Json joints = Json::array();
-  for (const PipingJoint& joint : piping.network.joints) {
-    joints.push_back({{"components", joint.components},
-                      {"lines", joint.lines},
-                      {"state", name(joint.state)},
-                      {"distance", joint.distance},
-                      {"step", joint.step},
-                      {"kink", joint.kink},
-                      {"part", joint.part.empty() ? Json(nullptr) : Json(joint.part)}});
-  }
+  const auto joint_json = [](const PipingJoint& joint) -> Json {
+    return {{"components", joint.components},
+            {"lines", joint.lines},
+            {"state", name(joint.state)},
+            {"distance", joint.distance},
+            {"step", joint.step},
+            {"kink", joint.kink},
+            {"part", joint.part.empty() ? Json(nullptr) : Json(joint.part)}};
+  };
   return {{"components", piping.network.components},
           {"kinds", piping.file.kinds},
           {"skipped", piping.file.skipped},
@@ -57,7 +54,7 @@ Json piping_json(const PcfReport& piping) {
           {"snap", piping.snap},
           {"bridge", piping.bridge},
           {"largest_move", piping.network.largest_move},
-          {"joints", joints},
+          {"joints", json_list(piping.network.joints, joint_json)},
           {"bores", notes_json(piping.file.notes)},
           {"not_understood", notes_json(piping.file.unknown)},
           {"notes", notes_json(piping.network.notes)}};
@@ -71,18 +68,13 @@ Json graph_json(const PipeNetwork& graph) {
 }
 
 Json exchange_json(const ExchangeReport& exchange) {
-  Json solids = Json::array();
-  for (const ExchangedSolid& solid : exchange.solids) {
-    solids.push_back({{"name", solid.name},
-                      {"volume", solid.volume},
-                      {"area", solid.area},
-                      {"faces", solid.faces},
-                      {"shells", solid.shells},
-                      {"euler_number", solid.euler_number}});
-  }
+  const auto solid_json = [](const ExchangedSolid& solid) -> Json {
+    return {{"name", solid.name},   {"volume", solid.volume}, {"area", solid.area},
+            {"faces", solid.faces}, {"shells", solid.shells}, {"euler_number", solid.euler_number}};
+  };
   return {{"file", exchange.file},
           {"format", exchange.format},
-          {"solids", solids},
+          {"solids", json_list(exchange.solids, solid_json)},
           {"faces", exchange.faces},
           {"exact_surfaces", exchange.exact_surfaces},
           {"lofted_surfaces", exchange.lofted_surfaces},
@@ -106,15 +98,14 @@ void put_source(Json& all, const BuildReport& report) {
 }  // namespace json
 
 std::string to_json(const Assembly& assembly) {
-  json::Json parts = json::Json::array();
-  for (const Part& part : assembly.parts) {
-    parts.push_back({{"name", part.name}, {"kind", kind(part.shape)}});
-  }
+  const auto part_json = [](const Part& part) -> json::Json {
+    return {{"name", part.name}, {"kind", kind(part.shape)}};
+  };
   return json::text({{"file", assembly.source},
                      {"kind", "assembly"},
                      {"unit", symbol(assembly.unit)},
                      {"tolerance", assembly.tolerance},
-                     {"parts", parts}});
+                     {"parts", json::json_list(assembly.parts, part_json)}});
 }
 
 namespace {
@@ -145,15 +136,11 @@ std::string to_json(const EditReport& report) {
 }
 
 std::string to_json(const BuildReport& report) {
-  json::Json parts = json::Json::array();
-  for (const PartReport& part : report.parts) {
-    parts.push_back(json::part_json(part));
-  }
   json::Json all = {{"unit", symbol(report.gaps.unit)},
                     {"runs", report.runs},
                     {"pieces", report.pieces},
                     {"grid", report.grid},
-                    {"parts", parts},
+                    {"parts", json::json_list(report.parts, json::part_json)},
                     {"output", report.exchange ? json::exchange_json(*report.exchange)
                                                : json::json_value(report.output)},
                     {"gaps", json::json_value(report.gaps)}};

@@ -44,10 +44,8 @@ Json json_value(const GapPair& pair, const std::vector<Port>& ports) {
     result["across"] = json_value(report.across);
     result["turn"] = json_value(report.turn);
     result["kink"] = json_value(report.kink);
-    result["deviations"] = Json::array();
-    for (const Deviation& deviation : report.deviations) {
-      result["deviations"].push_back(json_value(deviation));
-    }
+    result["deviations"] = json_list(
+        report.deviations, [](const Deviation& deviation) { return json_value(deviation); });
     result["exact"] = exact_json(report);
   }
   return result;
@@ -73,11 +71,7 @@ Json json_value(const GapRegion& region) {
 
 template <class Value>
 Json list(const std::vector<Value>& values) {
-  Json result = Json::array();
-  for (const Value& value : values) {
-    result.push_back(json_value(value));
-  }
-  return result;
+  return json_list(values, [](const Value& value) { return json_value(value); });
 }
 
 Json mesh_gap_json(const MeshGapSummary& summary) {
@@ -98,15 +92,13 @@ Json mesh_gap_json(const MeshGapSummary& summary) {
 }  // namespace
 
 Json json_value(const GapSummary& summary) {
-  Json pairs = Json::array();
-  for (const GapPair& pair : summary.pairs) {
-    pairs.push_back(json_value(pair, summary.ports));
-  }
   return {{"file", summary.file},
           {"unit", symbol(summary.unit)},
           {"connect", summary.connect},
           {"findings", summary.findings()},
-          {"pairs", pairs}};
+          {"pairs", json_list(summary.pairs, [&](const GapPair& pair) {
+             return json_value(pair, summary.ports);
+           })}};
 }
 
 }  // namespace json
