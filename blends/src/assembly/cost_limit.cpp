@@ -88,7 +88,8 @@ class Estimator {
     return result;
   }
 
-  [[nodiscard]] Estimate of(const Assembly& assembly) const {
+  /// Without fillets, if all else is more than enough.
+  [[nodiscard]] Estimate of(const Assembly& assembly, double enough = kUncounted) const {
     Estimate result;
     const Samplings samplings = this->samplings(assembly);
     for (const WeldedRun& run : runs_) {
@@ -101,7 +102,9 @@ class Estimator {
         }
       }
     }
-    add_fillets(assembly, samplings, result);
+    if (!(result.all.triangles > enough)) {
+      add_fillets(assembly, samplings, result);
+    }
     return result;
   }
 
@@ -375,8 +378,8 @@ void refuse_too_costly(const Assembly& assembly,
 
 double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
                           std::span<const WeldedRun> runs, double grid,
-                          std::span<const RingSampling> given) {
-  return Estimator(resolved, runs, grid, {1, 1}, given).of(assembly).all.triangles;
+                          std::span<const RingSampling> given, double enough) {
+  return Estimator(resolved, runs, grid, {1, 1}, given).of(assembly, enough).all.triangles;
 }
 
 double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,11 +29,13 @@ void refuse_too_costly(const Assembly& assembly,
                        std::size_t most, double coarsest,
                        const std::function<const ResolvedAssembly*()>& later);
 
-/// How many triangles the meshes of all parts together will have, roughly. As quick. `given` has
-/// the sampling of each part, if it is not to be found out.
+/// How many triangles the meshes of all parts together will have, roughly; without those of fillets
+/// if all others are more than enough. As quick. `given` has the sampling of each part, if it is
+/// not to be found out.
 [[nodiscard]] double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
                                         std::span<const WeldedRun> runs, double grid,
-                                        std::span<const RingSampling> given = {});
+                                        std::span<const RingSampling> given = {},
+                                        double enough = std::numeric_limits<double>::infinity());
 
 /// How many triangles the curves add in which parts of different runs cross, at most, roughly: of
 /// all whose boxes touch, these and such along the parts' main axes, and that no fillet and no

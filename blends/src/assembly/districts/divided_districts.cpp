@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -229,8 +230,8 @@ class Expectation {
         runs_(welded_runs(own.resolved)),
         grid_(own.piece ? own.piece->grid : lattice_spacing(own.assembly, own.resolved)) {}
 
-  [[nodiscard]] double surface() const {
-    return expected_triangles(own_.assembly, own_.resolved, runs_, grid_, given());
+  [[nodiscard]] double surface(double enough = std::numeric_limits<double>::infinity()) const {
+    return expected_triangles(own_.assembly, own_.resolved, runs_, grid_, given(), enough);
   }
   [[nodiscard]] double crossings() const {
     return expected_crossings(own_.assembly, own_.resolved, own_.boxes, runs_, grid_, given());
@@ -261,7 +262,8 @@ double expected_triangles(const District& own, std::optional<Region> region, dou
       region == Region::insulation ||
       (distances && std::ranges::any_of(*distances, [](double distance) { return distance > 0; }));
   // These surfaces have about as many triangles as the first ones, and cross those of others, too.
-  const double surface = (has_second ? 2 : 1) * expectation.surface();
+  const double share = has_second ? 2 : 1;
+  const double surface = share * expectation.surface(enough / share);
   return surface > enough ? surface : surface + (has_second ? 4 : 1) * expectation.crossings();
 }
 
