@@ -25,6 +25,8 @@ import typing
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "blends/src/verification"
+# By their names, of which there is one each.
+FILES = {p.name: p for p in sorted(SOURCES.rglob("*.*")) if p.suffix in (".cpp", ".h")}
 TEST = "tests/blends/blends_verification_test"
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "),
          (" != ", " == "), (" && ", " || "), (" || ", " && "), (".lower", ".upper"),
@@ -322,15 +324,15 @@ def users(build, header, entries):
     found = []
     for block in deps.split("\n\n"):
         target, _, rest = block.partition(":")
-        if target in source_of and SOURCES / header in {(build / line.strip()).resolve()
-                                                        for line in rest.split("\n")[1:]}:
+        if target in source_of and FILES[header] in {(build / line.strip()).resolve()
+                                                    for line in rest.split("\n")[1:]}:
             found.append(source_of[target])
     return found
 
 
 def prepare(build, folder, command):
     """What all mutants share: the headers compiled before, and libraries without debug symbols."""
-    found = {i for p in SOURCES.glob("*.cpp")
+    found = {i for p in FILES.values() if p.suffix == ".cpp"
              for i in re.findall(r"^#include <.*>", p.read_text(), re.M)}
     shared = [f'#include "{name}"' for name in
               ("numbers/interval.h", "numbers/mpfi_interval.h", "dupin/blends/certificate.h")]
@@ -430,23 +432,23 @@ class Mutation:
     def __init__(self, build, folder, entries, jobs):
         self.build, self.folder, self.jobs = build, folder, jobs
         self.entries = entries
-        self.command = compiling(entries[str(SOURCES / "work.cpp")])
+        self.command = compiling(entries[str(FILES["work.cpp"])])
         self.files = prepare(build, folder, self.command)
         self.names = linking(build)[0]
         self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
 
     def compiled(self, place, sources, name, text, flags=()):
         """The objects by source; none if one does not compile."""
-        overlay = place / "overlay" / "verification"
-        overlay.mkdir(parents=True)
-        changed = overlay / name
+        overlay = place / "overlay"
+        changed = overlay / FILES[name].relative_to(SOURCES.parent)
+        changed.parent.mkdir(parents=True)
         changed.write_text(text)
         objects = {}
         for source in sources:
             objects[source] = place / f"{pathlib.Path(source).stem}.mutant.o"
-            given = changed if source == str(SOURCES / name) else source
+            given = changed if source == str(FILES[name]) else source
             command = compiling(self.entries[source])
-            run = subprocess.run([command[0], "-I", overlay.parent, *command[1:], *flags, "-include",
+            run = subprocess.run([command[0], "-I", overlay, *command[1:], *flags, "-include",
                                   self.folder / "shared.h", "-c", given, "-o", objects[source]],
                                  cwd=self.build, capture_output=True)
             if run.returncode:
@@ -496,8 +498,8 @@ def survivors_of(mutation, asked, skip_known):
     with a reason and without one."""
     name, _, only = asked.partition(":")
     first, _, last = only.partition("-")
-    original = (SOURCES / name).read_text()
-    sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(mutation.build, name, mutation.entries)
+    original = FILES[name].read_text()
+    sources = [str(FILES[name])] if name.endswith(".cpp") else users(mutation.build, name, mutation.entries)
     all_of_it = [(m, text) for m, text in mutants(original)
                  if not only or int(first) <= m.number <= int(last or first)]
     ours = [(m, text) for m, text in all_of_it if not skip_known or known_reason(name, m) is None]
@@ -533,7 +535,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=1, help="so many mutants at a time")
     parser.add_argument("--skip-known", action="store_true", help="do not run those that have a reason")
     options = parser.parse_intermixed_args()
-    names = options.files or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
+    names = options.files or sorted(FILES)
     entries = {e["file"]: e for e in json.loads((options.build / "compile_commands.json").read_text())}
     with tempfile.TemporaryDirectory() as temporary:
         mutation = Mutation(options.build, pathlib.Path(temporary), entries, options.jobs)

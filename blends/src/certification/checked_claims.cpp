@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "dupin/kernel/error.h"
-#include "verification/hub_claims.h"
+#include "verification/claims/hub_claims.h"
 
 namespace dupin::certification {
 

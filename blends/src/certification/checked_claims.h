@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "certification/claim_work.h"
-#include "verification/claims.h"
-#include "verification/loop_clearance.h"
-#include "verification/near_parts.h"
+#include "verification/claims/claims.h"
+#include "verification/claims/loop_clearance.h"
+#include "verification/claims/near_parts.h"
 
 // Claims as the checker will believe them. It bounds things in another way than the prover, and
 // does no more work than a certificate's length allows: a claim that does not follow for it, as

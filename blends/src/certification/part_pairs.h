@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dupin/blends/certificate.h"
-#include "verification/near_parts.h"
+#include "verification/claims/near_parts.h"
 
 namespace dupin::certification {
 

@@ -12,8 +12,8 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
-#include "verification/contact_arcs.h"
-#include "verification/fillet_claims.h"
+#include "verification/claims/fillet_claims.h"
+#include "verification/motions/contact_arcs.h"
 #include "verification/work.h"
 
 namespace dupin::certification {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "verification/hub_claims.h"
+#include "verification/claims/hub_claims.h"
 #include "verification/work.h"
 
 namespace dupin::certification {

@@ -4,7 +4,7 @@
 
 #include "certification/swept_discs.h"
 #include "dupin/blends/certificate.h"
-#include "verification/loop_clearance.h"
+#include "verification/claims/loop_clearance.h"
 
 namespace dupin::certification {
 

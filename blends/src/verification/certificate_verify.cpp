@@ -9,9 +9,9 @@
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "verification/admitted.h"
-#include "verification/claims.h"
-#include "verification/loop_clearance.h"
-#include "verification/near_parts.h"
+#include "verification/claims/claims.h"
+#include "verification/claims/loop_clearance.h"
+#include "verification/claims/near_parts.h"
 #include "verification/work.h"
 
 namespace dupin::verification {

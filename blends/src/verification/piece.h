@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "numbers/mpfi_interval.h"
-#include "verification/motion.h"
+#include "verification/motions/motion.h"
 
 // What the checker knows of each kind of piece is in piece.cpp: what its numbers must be, what
 // moves along it, and how far that is from its stored rings.

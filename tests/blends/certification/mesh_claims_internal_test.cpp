@@ -10,7 +10,7 @@
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/spline_pipe.h"
 #include "support/cyclide_cases.h"
-#include "verification/mesh_claim.h"
+#include "verification/claims/mesh_claim.h"
 
 namespace dupin::certification {
 namespace {

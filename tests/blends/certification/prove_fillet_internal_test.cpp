@@ -6,7 +6,7 @@
 #include "support/fillet_loops.h"
 #include "support/named_parts.h"
 #include "surfaces/fillet_mesh.h"
-#include "verification/fillet_claims.h"
+#include "verification/claims/fillet_claims.h"
 #include "verification/work.h"
 
 namespace dupin::certification {

@@ -2,7 +2,7 @@
 
 #include "blends/junction/junction_meshes_internal.h"
 #include "certification/prove_hub.h"
-#include "verification/hub_claims.h"
+#include "verification/claims/hub_claims.h"
 
 namespace dupin::certification {
 namespace {

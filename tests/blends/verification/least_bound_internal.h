@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/mesh_claim.h"
+#include "verification/claims/mesh_claim.h"
 
 namespace dupin::verification {
 
