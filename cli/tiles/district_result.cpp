@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 14\n";
+constexpr std::string_view kMark = "dupin district 15\n";
 
 class Writer {
  public:
@@ -181,8 +181,15 @@ void Reader::get(RoundingReport& report) { visit_rounding(*this, report); }
 /// Against accidents, not against forgers: whoever can write here can write the result, too.
 std::uint64_t sum_of(std::string_view bytes) { return std::hash<std::string_view>{}(bytes); }
 
+// Of a rest that is long enough.
+void take_last(std::string_view& rest, std::uint64_t& number) {
+  rest.remove_suffix(sizeof(number));
+  std::memcpy(&number, rest.data() + rest.size(), sizeof(number));
+}
+
 }  // namespace
 
+// Facets, fields, how many bytes the facets are, the sum of all that, and the mark.
 std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32_t>& parts) {
   std::vector<PartReport> local = result.built.parts;
   for (PartReport& part : local) {
@@ -192,40 +199,38 @@ std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32
   const Report report = result.output.report.check.value_or(Report{});
   Writer writer;
   std::string& bytes = writer.bytes();
-  bytes = kMark;
-  writer(std::uint64_t{0});  // the sum of what follows
-  const std::size_t begin = bytes.size();
+  bytes = result.output.piece.bytes;
   visit_result(writer, result, std::as_const(local), report);
-  writer(result.output.piece.bytes);
-  const std::uint64_t sum = sum_of(std::string_view(bytes).substr(begin));
-  std::memcpy(bytes.data() + kMark.size(), &sum, sizeof(sum));
+  writer(std::uint64_t{result.output.piece.bytes.size()});
+  writer(sum_of(bytes));
+  bytes += kMark;
   return std::move(bytes);
 }
 
 std::optional<DistrictResult> result_of(std::string bytes,
                                         const std::vector<std::uint32_t>& parts) {
-  std::uint64_t sum = 0;
-  if (!bytes.starts_with(kMark) || bytes.size() < kMark.size() + sizeof(sum)) {
+  std::uint64_t facets = 0, sum = 0;
+  std::string_view rest = bytes;
+  if (!rest.ends_with(kMark) || rest.size() < kMark.size() + sizeof(sum) + sizeof(facets)) {
     return std::nullopt;
   }
-  std::string_view summed = bytes;
-  summed.remove_prefix(kMark.size());
-  std::memcpy(&sum, summed.data(), sizeof(sum));
-  summed.remove_prefix(sizeof(sum));
-  if (sum_of(summed) != sum) {
+  rest.remove_suffix(kMark.size());
+  take_last(rest, sum);
+  if (sum_of(rest) != sum) {
+    return std::nullopt;
+  }
+  take_last(rest, facets);
+  if (facets > rest.size()) {
     return std::nullopt;
   }
   DistrictResult result;
   Report report;
-  Reader reader(summed);
+  Reader reader(rest.substr(facets));
   visit_result(reader, result, result.built.parts, report);
-  std::uint64_t facets = 0;
-  reader(facets);
-  if (!reader.is_good() || facets != reader.left()) {
+  if (!reader.is_good() || reader.left() > 0) {
     return std::nullopt;
   }
-  // Most of what is kept: it stays where it is.
-  bytes.erase(0, bytes.size() - facets);
+  bytes.resize(facets);  // most of what is kept: they stay where they are
   result.output.piece.bytes = std::move(bytes);
   for (PartReport& part : result.built.parts) {
     if (part.index >= parts.size()) {
