@@ -185,6 +185,35 @@ bool cones_certainly_apart(const Corners& a, const Corners& b, int axis) {
   return false;
 }
 
+Vec3 longest_edge(const Corners& t) {
+  const Vec3 first = t[1] - t[0], second = t[2] - t[1], third = t[0] - t[2];
+  const double of_first = first.squaredNorm(), of_second = second.squaredNorm(),
+               of_third = third.squaredNorm();
+  return of_first >= of_second && of_first >= of_third ? first
+         : of_second >= of_third                       ? second
+                                                       : third;
+}
+
+/// Whether a plane along the longest edges of both certainly has one triangle on one side and the
+/// other on the other: nearly always so where long triangles pass over each other. Whatever the
+/// normal is, rounded as it may be, only the products with it have to be certain.
+bool certainly_apart_across(const Corners& a, const Corners& b) {
+  const Vec3 normal = longest_edge(a).cross(longest_edge(b)), size = normal.cwiseAbs();
+  double largest = 0;
+  const auto along = [&](const Vec3& p) {
+    const Vec3 from = p - a[0];
+    largest = std::max(largest, size.dot(from.cwiseAbs()));
+    return normal.dot(from);
+  };
+  const double a1 = along(a[1]), a2 = along(a[2]);
+  const auto [low_a, high_a] = std::minmax({0.0, a1, a2});
+  const double b0 = along(b[0]), b1 = along(b[1]), b2 = along(b[2]);
+  const auto [low_b, high_b] = std::minmax({b0, b1, b2});
+  // Differences, products and two sums err by less than 5 ulps each, of either side.
+  const double bound = 32 * kHalfUlp * largest + 0x1p-900;
+  return low_b - high_a > bound || low_a - high_b > bound;
+}
+
 /// Of the corners of t, those that are certain being given.
 Sides exact_sides(const Sides& certain, const Corners& plane, const Corners& t) {
   const auto side = [&](int i) { return certain[i] != 0 ? certain[i] : exact_side(plane, t[i]); };
@@ -400,6 +429,9 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
     }
   }
   const Corners a = {points_[corners_[0]], points_[corners_[1]], points_[corners_[2]]};
+  if (certainly_apart_across(a, b)) {
+    return TriangleOverlap::none;
+  }
   const PlaneFilter plane(b[0], b[1], b[2]);
   const Sides certain_a = {plane.side(a[0]), plane.side(a[1]), plane.side(a[2])};
   if (common_sign(certain_a) != 0) {

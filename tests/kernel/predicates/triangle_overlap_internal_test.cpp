@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -141,6 +142,26 @@ TEST(TriangleOverlapTest, finds_what_clipping_finds_on_a_coarse_grid) {
   }
   for (std::size_t common = 0; common < 3; ++common) {
     EXPECT_GT(shared[common], 300) << "so does each number of shared corners";
+  }
+}
+
+// Far from the origin, where products are rounded by far more than what the triangles are apart.
+TEST(TriangleOverlapTest, tells_long_triangles_that_pass_over_each_other_exactly) {
+  for (const double far : {1.0, 1e5, 1e9}) {
+    const double ulp = std::nextafter(far, 2 * far) - far;
+    for (const int steps : {-2, -1, 0, 1, 2}) {
+      const double height = far + steps * ulp;
+      const std::vector<Vec3> points = {{far, far, far},
+                                        {9 * far, far, far},
+                                        {5 * far, far, 2 * far},
+                                        {5 * far, -3 * far, height},
+                                        {5 * far, 5 * far, height},
+                                        {5 * far, far, -far}};
+      const TriangleOverlapTest test(points, {0, 1, 2});
+      EXPECT_EQ(test.meeting({3, 4, 5}),
+                steps < 0 ? TriangleOverlap::none : TriangleOverlap::crossing)
+          << far << " " << steps;
+    }
   }
 }
 
