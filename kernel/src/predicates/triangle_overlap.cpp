@@ -199,10 +199,10 @@ Vec3 longest_edge(const Corners& t) {
 /// normal is, rounded as it may be, only the products with it have to be certain.
 bool certainly_apart_across(const Corners& a, const Corners& b) {
   const Vec3 normal = longest_edge(a).cross(longest_edge(b)), size = normal.cwiseAbs();
-  double largest = 0;
+  double sizes = 0;  // of all products; no number where one of them is none
   const auto along = [&](const Vec3& p) {
     const Vec3 from = p - a[0];
-    largest = std::max(largest, size.dot(from.cwiseAbs()));
+    sizes += size.dot(from.cwiseAbs());
     return normal.dot(from);
   };
   const double a1 = along(a[1]), a2 = along(a[2]);
@@ -210,7 +210,7 @@ bool certainly_apart_across(const Corners& a, const Corners& b) {
   const double b0 = along(b[0]), b1 = along(b[1]), b2 = along(b[2]);
   const auto [low_b, high_b] = std::minmax({b0, b1, b2});
   // Differences, products and two sums err by less than 5 ulps each, of either side.
-  const double bound = 32 * kHalfUlp * largest + 0x1p-900;
+  const double bound = 32 * kHalfUlp * sizes + 0x1p-900;
   return low_b - high_a > bound || low_a - high_b > bound;
 }
 
