@@ -22,7 +22,7 @@ constexpr std::size_t kUndividedTriangles = 1'000'000;
 
 /// Into pieces of at most about so many, what a document describes: the smaller they are, the less
 /// is made again after an edit. Unions have larger ones, as operands are cut at every seam.
-constexpr std::size_t kPieceTriangles = 100'000;
+constexpr std::size_t kPieceTriangles = 30'000;
 
 /// So often pieces are made that turn out not to fit; then nothing is divided.
 constexpr int kMostRounds = 4;
