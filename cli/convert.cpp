@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -27,6 +28,21 @@ namespace {
 bool fits(const TriMesh& mesh, Coordinates coordinates) {
   return std::all_of(mesh.points.begin(), mesh.points.end(),
                      [&](const Vec3& point) { return point == nearest(point, coordinates); });
+}
+
+/// Points that are one to readers who tell them by place alone, as those where a solid touches
+/// itself.
+bool has_points_in_one_place(const TriMesh& mesh) {
+  std::vector<Vec3> points = mesh.points;
+  std::ranges::sort(points, [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return std::ranges::adjacent_find(points) != points.end();
+}
+
+/// Whether the format gives back every point of the mesh as it is.
+bool holds(const MeshFormat& format, const TriMesh& mesh) {
+  return fits(mesh, format.coordinates) && !(format.merges_points && has_points_in_one_place(mesh));
 }
 
 struct ConvertArguments {
@@ -119,8 +135,7 @@ ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
     print_written(write_placed(mesh, where, to, rounding, header), to, common);
     return ExitCode::ok;
   }
-  const bool stays_solid =
-      !(unchanged && fits(mesh, to.format.coordinates)) && check(mesh).is_solid();
+  const bool stays_solid = !(unchanged && holds(to.format, mesh)) && check(mesh).is_solid();
   print_written(stays_solid ? write_solid(Solid::from(mesh), to, rounding, header)
                             : write_plain(mesh, to, header),
                 to, common);
@@ -138,8 +153,9 @@ void add_convert(CLI::App& app, Action& action) {
   add_source_options(*command, arguments->source);
   add_wall_options(*command, arguments->walls);
   command->footer(
-      "A solid whose coordinates the format cannot hold is rounded so that it stays one; any\n"
-      "other mesh is written as it is. Moves, turns and changes of size are exact, and rounded "
+      "A solid whose coordinates the format cannot hold, or that touches itself where readers of\n"
+      "STL would weld it, is changed so that it stays one; any other mesh is written as it is. "
+      "Moves, turns and changes of size are exact, and rounded "
       "once.\n\n"
       "Examples:\n"
       "  dupin convert part.off part.stl\n"

@@ -65,6 +65,18 @@ TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
   EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
 }
 
+TEST_F(MeshCommands, convert_parts_what_readers_of_stl_would_weld) {
+  put("a.off", joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}));
+  for (const char* const format : {"stl", "stl-ascii"}) {
+    const auto report = json({"convert", "a.off", "b.stl", "--format", format}, 0);
+    EXPECT_EQ(report.at("check").at("solid"), true) << format;
+    EXPECT_EQ(json({"check", "b.stl"}, 0).at("components"), 2) << format;
+  }
+  const auto kept = json({"convert", "a.off", "b.ply"}, 0);
+  EXPECT_EQ(kept.at("rounding").at("moved_points"), 0);
+  EXPECT_EQ(json({"check", "b.ply"}, 0).at("volume"), 2);
+}
+
 // Said beside a graph, too, and not dropped.
 TEST_F(MeshCommands, writes_the_wall_of_a_graph) {
   const ProcessResult result =
