@@ -21,6 +21,9 @@ struct Transform {
   [[nodiscard]] Transform after(const Transform& inner) const {
     return {linear * inner.linear, linear * inner.shift + shift};
   }
+  friend bool operator==(const Transform& a, const Transform& b) {
+    return a.linear == b.linear && a.shift == b.shift;
+  }
   [[nodiscard]] bool is_identity() const {
     return linear == Eigen::Matrix3d::Identity() && shift == Vec3::Zero();
   }

@@ -11,8 +11,9 @@ namespace dupin {
 
 /// Reads the triangles of all meshes that the scene of a binary glTF 2.0 file shows, each where its
 /// nodes put it: in glTF's metres with y upward. What `glb_bytes` wrote comes back in the mesh's
-/// own coordinates: its one node, which only turns and scales to glTF's, is not applied, and points
-/// that are there once for each of their normals are one again. Without
+/// own coordinates: its one node, which only turns and scales to glTF's, is not applied, unless
+/// someone gave it another place. Points that are there once for each of their normals are one
+/// again. Without
 /// scenes all nodes are shown, without nodes all meshes. A mesh that several nodes show is there
 /// several times.
 ///
@@ -25,7 +26,8 @@ namespace dupin {
 /// the JSON pointer, Error{limit_exceeded} where nodes repeat meshes without measure.
 [[nodiscard]] TriMesh read_glb(std::string_view bytes, std::string_view file);
 
-/// The unit that `glb_bytes` noted, or empty. Throws like `read_glb`.
+/// The unit that `glb_bytes` noted, which may be empty, of what comes back in the mesh's own
+/// coordinates; else "m", which glTF has. Throws like `read_glb`.
 [[nodiscard]] std::string unit_of_glb(std::string_view bytes, std::string_view file);
 
 /// Binary glTF 2.0: one mesh with all points in one accessor and one primitive with a material of

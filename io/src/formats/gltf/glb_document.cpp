@@ -1,5 +1,6 @@
 #include "formats/gltf/glb_document.h"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -62,13 +63,15 @@ const GlbDocument::Json& GlbDocument::member(const Json& json, const std::string
 }
 
 std::size_t GlbDocument::unsigned_value(const Json& value, const std::string& place) const {
-  if (!value.is_number_unsigned() ||
-      value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
+  // JSON knows one kind of number: 8.0 and 8e0 are integers, too.
+  const double number = value.is_number() ? value.get<double>() : -1;
+  if (!(number >= 0) || number != std::floor(number) ||
+      number > std::numeric_limits<std::uint32_t>::max()) {
     fail(place, "found " +
                     value.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 40) +
                     ", expected an integer from 0 to 4294967295");
   }
-  return value.get<std::size_t>();
+  return static_cast<std::size_t>(number);
 }
 
 std::size_t GlbDocument::unsigned_member(const Json& json, const std::string& place,

@@ -13,6 +13,11 @@ inline constexpr std::uint32_t kGlbBytesChunk = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeader = 12;
 inline constexpr std::size_t kGlbChunkHeader = 8;
 
+/// asset.generator of our own files.
+inline constexpr char kGlbGenerator[] = "dupin";
+/// The sine of half a quarter turn: about x, it makes z, upward here, glTF's y.
+inline constexpr double kGlbHalfTurn = 0x1.6a09e667f3bcdp-1;
+
 /// The member of asset.extras of our own files that is the accessor of copied points.
 inline constexpr char kGlbCopies[] = "copies";
 

@@ -47,7 +47,7 @@ class GlbReader {
   TriMesh read() && {
     require_known_extensions();
     const std::vector<formats::MeshInstance> shown = formats::shown_meshes(document_);
-    if (formats::is_ours(document_) && shown.size() > 1) {
+    if (shown.size() > 1 && are_of_one_mesh(shown)) {
       append_together(shown);
     } else {
       for (const formats::MeshInstance& instance : shown) {
@@ -57,7 +57,7 @@ class GlbReader {
     if (mesh_.triangles.empty() && !shown.empty()) {
       fail("/meshes", "found meshes without triangles, expected some");
     }
-    if (formats::is_ours(document_)) {
+    if (formats::names_our_writer(document_)) {
       merge_vertices();
     }
     if (named_) {
@@ -113,8 +113,10 @@ class GlbReader {
     for (std::size_t i = 0; i < copied.size(); ++i) {
       copied[i] = index_at(copies, i);
     }
-    if (copied.size() != copies.count || copies.component_type != formats::kGltfUint32 ||
-        !formats::merge_copies(copied, mesh_)) {
+    const bool is_merged = copied.size() == copies.count &&
+                           copies.component_type == formats::kGltfUint32 &&
+                           formats::merge_copies(copied, mesh_);
+    if (!is_merged && formats::is_ours(document_)) {
       fail(place + "/" + formats::kGlbCopies,
            "found other numbers, expected those of points that the last ones are copies of");
     }
@@ -146,8 +148,29 @@ class GlbReader {
     }
   }
 
-  /// The meshes of our own parts share their points, and their patches are in the order in which
-  /// their indices are stored.
+  /// The meshes of our own parts share their points and their place.
+  bool are_of_one_mesh(const std::vector<formats::MeshInstance>& shown) const {
+    if (!formats::names_our_writer(document_)) {
+      return false;
+    }
+    const Json* points = nullptr;
+    for (const formats::MeshInstance& instance : shown) {
+      const Json& primitives = *primitives_of(instance.mesh).first;
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Json::json_pointer position("/attributes/POSITION");
+        if (!primitives[i].contains("indices") || !primitives[i].contains(position) ||
+            (points != nullptr && primitives[i][position] != *points)) {
+          return false;
+        }
+        points = &primitives[i][position];
+      }
+    }
+    return std::ranges::all_of(shown, [&](const formats::MeshInstance& instance) {
+      return instance.transform == shown.front().transform;
+    });
+  }
+
+  /// Patches are in the order in which their indices are stored.
   void append_together(const std::vector<formats::MeshInstance>& shown) {
     std::vector<std::pair<std::size_t, std::pair<const Json*, std::string>>> patches;
     for (const formats::MeshInstance& instance : shown) {
@@ -163,7 +186,7 @@ class GlbReader {
     for (const auto& [indices, patch] : patches) {
       read_primitive(*patch.first, patch.second, geometry);
     }
-    append(geometry, {}, {}, "/meshes");
+    append(geometry, shown.front().transform, {}, "/meshes");
   }
 
   /// A mesh is read when it is first met.
@@ -399,9 +422,7 @@ TriMesh read_glb(std::string_view bytes, std::string_view file) {
 
 std::string unit_of_glb(std::string_view bytes, std::string_view file) {
   const formats::GlbDocument document(bytes, file);
-  const Json::json_pointer place("/asset/extras");
-  return document.json().contains(place) ? document.name(document.json()[place], "unit")
-                                         : std::string();
+  return formats::is_ours(document) ? formats::noted_unit(document) : "m";
 }
 
 }  // namespace dupin

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "formats/gltf/glb_layout.h"
+#include "text/known_unit.h"
 
 namespace dupin::formats {
 namespace {
@@ -112,6 +116,27 @@ std::pair<std::vector<std::size_t>, std::string> roots(const GlbDocument& docume
   return {nodes, "/nodes"};
 }
 
+/// The scene that our writer makes of a mesh without triangles.
+bool is_empty_set(const GlbDocument& document, const std::vector<std::size_t>& roots) {
+  return roots.empty() && document.count("scenes") == 1 &&
+         document.name(document.json()["scenes"][0]) == kEmptySet;
+}
+
+/// Whether node 0 turns and scales as our writer has it for the unit that it notes, and no more.
+bool has_our_place(const GlbDocument& document) {
+  const Json& node = document.json()["nodes"][0];
+  if (!node.is_object() || node.contains("matrix") || node.contains("translation") ||
+      !node.contains("rotation") || node["rotation"] != Json({-kGlbHalfTurn, 0, 0, kGlbHalfTurn})) {
+    return false;
+  }
+  const std::string unit = noted_unit(document);
+  if (unit.empty()) {
+    return !node.contains("scale");
+  }
+  const std::optional<double> scale = text::metres_in(unit);
+  return scale && node.contains("scale") && node["scale"] == Json({*scale, *scale, *scale});
+}
+
 /// Walks down from the roots, without recursion: nodes may be as deep as the file is long.
 class Walk {
  public:
@@ -187,16 +212,33 @@ void require_no_weights(const GlbDocument& document, const Json& json, const std
   }
 }
 
+bool names_our_writer(const GlbDocument& document) {
+  return document.json().contains("asset") &&
+         document.name(document.json()["asset"], "generator") == kGlbGenerator;
+}
+
+std::string noted_unit(const GlbDocument& document) {
+  const Json::json_pointer place("/asset/extras");
+  return document.json().contains(place) ? document.name(document.json()[place], "unit")
+                                         : std::string();
+}
+
 bool is_ours(const GlbDocument& document) {
-  if (!document.json().contains("asset") ||
-      document.name(document.json()["asset"], "generator") != "dupin" ||
-      document.count("nodes") == 0) {
+  if (!names_our_writer(document)) {
     return false;
   }
-  const Json& nodes = document.json()["nodes"];
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
+  const auto [top, place] = roots(document);
+  const std::size_t count = document.count("nodes");
+  if (count == 0) {
+    return is_empty_set(document, top);
+  }
+  if (top != std::vector<std::size_t>{0} || !has_our_place(document)) {
+    return false;
+  }
+  for (std::size_t i = 1; i < count; ++i) {
     for (const char* const key : {"matrix", "rotation", "scale", "translation", "children"}) {
-      if (nodes[i].is_object() && nodes[i].contains(key)) {
+      const Json& node = document.json()["nodes"][i];
+      if (node.is_object() && node.contains(key)) {
         return false;
       }
     }
@@ -217,9 +259,7 @@ std::vector<MeshInstance> shown_meshes(const GlbDocument& document) {
   }
   const auto [nodes, place] = roots(document);
   meshes = Walk(document).meshes(nodes);
-  const bool is_empty_set = nodes.empty() && document.count("scenes") == 1 &&
-                            document.name(document.json()["scenes"][0]) == kEmptySet;
-  if (meshes.empty() && !is_empty_set) {
+  if (meshes.empty() && !is_empty_set(document, nodes)) {
     document.fail(place, "found no mesh, expected one that a node shows");
   }
   return meshes;

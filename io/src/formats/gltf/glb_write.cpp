@@ -16,6 +16,7 @@
 #include "formats/gltf/glb_layout.h"
 #include "formats/placed_mesh.h"
 #include "formats/split_points.h"
+#include "text/known_unit.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -30,12 +31,8 @@ using Json = nlohmann::ordered_json;
 
 /// Metres per unit.
 double metres(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, double>, 6> kUnits = {
-      {{"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}, {"ft", 0.3048}, {"um", 1e-6}}};
-  for (const auto& [symbol, length] : kUnits) {
-    if (symbol == unit) {
-      return length;
-    }
+  if (const std::optional<double> length = text::metres_in(unit)) {
+    return *length;
   }
   throw Error(Errc::invalid_argument, "glTF cannot scale from the unit '" + std::string(unit) +
                                           "' to metres; known are um, mm, cm, m, in and ft");
@@ -167,7 +164,8 @@ void add_nodes(Json& json, Json root, const TriMesh& mesh, Content& content) {
 }
 
 Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
-  Json json = {{"asset", {{"version", "2.0"}, {"generator", "dupin"}}}, {"scene", 0}};
+  Json json = {{"asset", {{"version", "2.0"}, {"generator", formats::kGlbGenerator}}},
+               {"scene", 0}};
   if (!header.unit.empty() || !header.note.empty()) {
     json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
   }
@@ -178,9 +176,8 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
     json["scenes"] = Json::array({Json{{"name", formats::kEmptySet}}});
     return json;
   }
-  // A quarter turn about x: z, upward here, becomes glTF's y.
   Json root = {{"name", header.name.empty() ? "solid" : text::clean_line(header.name)},
-               {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
+               {"rotation", {-formats::kGlbHalfTurn, 0, 0, formats::kGlbHalfTurn}}};
   if (!header.unit.empty()) {
     const double scale = metres(header.unit);
     root["scale"] = {scale, scale, scale};
