@@ -24,21 +24,24 @@ void demand(text::TextScanner& scanner, std::string_view keyword) {
 }
 
 /// Normals are not used, and writers print all kinds of non-numbers there ("-nan(ind)").
-void skip_normal(text::TextScanner& scanner) {
+bool take_normal(text::TextScanner& scanner) {
   constexpr std::string_view kStarts = "+-.0123456789nNiI";
   for (int axis = 0; axis < 3; ++axis) {
     scanner.skip_space();
     const std::string_view token = scanner.peek();
     if (token.empty() || kStarts.find(token.front()) == std::string_view::npos) {
-      scanner.fail("a component of the facet's normal");
+      return false;
     }
     (void)scanner.token();
   }
+  return true;
 }
 
 Triangle read_facet(text::TextScanner& scanner, text::PointMerger& points) {
   demand(scanner, "normal");
-  skip_normal(scanner);
+  if (!take_normal(scanner)) {
+    scanner.fail("a component of the facet's normal");
+  }
   demand(scanner, "outer");
   demand(scanner, "loop");
   Triangle triangle;
@@ -60,8 +63,16 @@ std::string block_name(std::string_view rest, std::size_t block, bool more) {
   return name;
 }
 
-/// Whether a facet begins there, and no name that only has the word in it.
-bool is_at_facet(text::TextScanner at) { return at.take("facet") && at.take("normal"); }
+bool take_next(text::TextScanner& scanner, std::string_view keyword) {
+  scanner.skip_space();
+  return scanner.take(keyword);
+}
+
+/// Whether a facet begins there, and no name that only has some of its words in it.
+bool is_at_facet(text::TextScanner at) {
+  return at.take("facet") && take_next(at, "normal") && take_normal(at) && take_next(at, "outer") &&
+         take_next(at, "loop");
+}
 
 /// Takes the name behind "solid": the rest of the line, up to a facet where one is in it.
 std::string_view take_name(text::TextScanner& scanner) {

@@ -23,6 +23,18 @@ const std::string kFacet =
 
 TriMesh read_any(std::string_view bytes, std::string_view file) { return read_mesh(bytes, file); }
 
+TEST(Stl, names_of_words_that_files_are_made_of_are_names) {
+  for (const char* const name : {"facet normal west", "facet normal 1 2 3", "facet normal 0 0 1",
+                                 "facet", "endfacet", "endsolid", "solid facet normal 0 0 1"}) {
+    const TriMesh mesh = test::labelled_tetrahedron();
+    TriMesh named = mesh;
+    named.names.front() = name;
+    const TriMesh read = read_stl_ascii(stl_ascii_text(named), "x.stl");
+    EXPECT_EQ(read.names.front(), name);
+    EXPECT_EQ(read.triangles.size(), mesh.triangles.size()) << name;
+  }
+}
+
 TEST(Stl, ascii_numbers_read_alike_as_floats_and_as_doubles) {
   const TriMesh mesh = test::scattered_mesh(77, 2000, false);
   std::istringstream words(stl_ascii_text(mesh));
