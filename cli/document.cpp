@@ -12,6 +12,7 @@
 #include "argument_checks.h"
 #include "dupin/io/graph_file.h"
 #include "dupin/io/pcf.h"
+#include "dupin/io/stl.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
@@ -139,7 +140,8 @@ Assembly read_document(const std::string& path) {
 
 DocumentKind kind_of(const Input& input) {
   const DocumentKind kind = document_kind(input.name);
-  if (kind != DocumentKind::assembly || input.name != kStandardInput) {
+  if (kind != DocumentKind::assembly || input.name != kStandardInput ||
+      has_size_of_binary_stl(input.bytes)) {
     return kind;
   }
   return is_pcf_text(input.bytes)     ? DocumentKind::piping

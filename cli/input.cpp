@@ -9,6 +9,7 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "exit_code.h"
 
@@ -27,6 +28,9 @@ auto blaming(const std::string& name, const Function& function) {
 }  // namespace
 
 bool Input::is_document() const {
+  if (has_size_of_binary_stl(bytes)) {  // the header of which may begin with anything
+    return false;
+  }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   const std::size_t mark = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n", mark);

@@ -24,6 +24,17 @@ TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
   EXPECT_THAT(dupin({"info", "a.off"}).out, HasSubstr("(0, 0, 0) to (2, 3, 4)\n"));
 }
 
+// As documents, and meshes of text, begin.
+TEST_F(MeshCommands, info_reads_binary_stl_whose_header_begins_like_something_else) {
+  std::string stl = mesh_bytes(box({0, 0, 0}, {2, 3, 4}), kStlBinary);
+  for (const std::string start : {"{\"units\": \"mm\"}", "OFFSHORE", "OFF", "ply\n"}) {
+    stl.replace(0, start.size(), start);
+    folder_.write("a.stl", stl);
+    EXPECT_EQ(json({"info", "a.stl"}, 0).at("kind"), "mesh") << start;
+    EXPECT_EQ(json({"info", "a.stl"}, 0).at("check").at("volume"), 24) << start;
+  }
+}
+
 TEST_F(MeshCommands, info_lists_labels) {
   const TriMesh two = joined(
       {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});

@@ -77,7 +77,7 @@ Evidence recognise(std::string_view bytes) {
   return word == "$MeshFormat" ||
                  (word == "$Comments" &&
                   bytes.substr(0, 2000).find("$MeshFormat") != std::string_view::npos)
-             ? Evidence::signature
+             ? Evidence::text_signature
              : Evidence::none;
 }
 
@@ -107,6 +107,14 @@ std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   return text + "$EndElements\n";
 }
 
+namespace {
+
+std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
+  return text::noted_unit(bytes, "# ");
+}
+
+}  // namespace
+
 constinit const MeshFormat kMshSurface = {.key = "msh-surface",
                                           .name = "gmsh surface",
                                           .extension = {},
@@ -114,7 +122,7 @@ constinit const MeshFormat kMshSurface = {.key = "msh-surface",
                                           .read = read_msh,
                                           .write = msh_text,
                                           .recognises = recognise,
-                                          .unit = text::noted_unit};
+                                          .unit = unit_of};
 
 constinit const VolumeFormat kMshVolume = {.key = "msh",
                                            .name = "gmsh volume",

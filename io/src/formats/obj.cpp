@@ -105,13 +105,22 @@ void read_vertex(text::TextScanner& scanner, bool has_long_lines, TriMesh& mesh)
   scanner.end_line("the end of the line behind a vertex");
 }
 
+/// The rest of the line, and of those that continue it.
+std::string rest_of_long_line(text::TextScanner& scanner) {
+  std::string line(scanner.rest_of_line());
+  while (line.ends_with('\\')) {
+    line.back() = ' ';
+    line += scanner.rest_of_line();
+  }
+  return line;
+}
+
 void skip_statement(text::TextScanner& scanner) {
   const std::string_view keyword = scanner.peek();
   if (std::find(kSkipped.begin(), kSkipped.end(), keyword) == kSkipped.end()) {
     scanner.fail("an OBJ statement for polygons, such as v, f, g or o");
   }
-  while (scanner.rest_of_line().ends_with('\\')) {
-  }
+  (void)rest_of_long_line(scanner);
 }
 
 /// Text that begins with one of the statements that such files begin with, or the empty set as we
@@ -148,7 +157,7 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
       mesh.labels.resize(mesh.triangles.size(), *label);
       named = named || !group.empty();
     } else if (scanner.take("g") || scanner.take("o")) {
-      group = text::clean_line(scanner.rest_of_line());
+      group = text::clean_line(rest_of_long_line(scanner));
       label.reset();
     } else {
       skip_statement(scanner);
@@ -182,6 +191,15 @@ void append_normals(std::string& text, const std::vector<Direction>& normals) {
   }
 }
 
+/// What no reader takes for the beginning of a longer line.
+std::string closed_line(std::string_view name) {
+  std::string line = text::clean_line(name);
+  if (line.ends_with('\\')) {
+    line.back() = '/';  // there is no way to write it
+  }
+  return line;
+}
+
 // A vertex of `normals`, if there are any, has the normal of its number.
 void append_face(std::string& text, const Triangle& face, const Triangle* normals) {
   text += 'f';
@@ -212,7 +230,7 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   }
   append_normals(text, shaded.normals);
   const auto groups = text::triangles_by_label(mesh);
-  const std::vector<std::string> names = text::written_names(mesh.names);
+  const std::vector<std::string> names = text::written_names(mesh.names, closed_line);
   for (std::size_t group = 0; group < groups.size(); ++group) {
     if (!mesh.labels.empty() && !groups[group].empty()) {
       text += "g " + names[group] + '\n';
@@ -225,6 +243,14 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   return text;
 }
 
+namespace {
+
+std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
+  return text::noted_unit(bytes, "# ");
+}
+
+}  // namespace
+
 constinit const MeshFormat kObj = {.key = "obj",
                                    .name = "OBJ",
                                    .extension = ".obj",
@@ -233,6 +259,6 @@ constinit const MeshFormat kObj = {.key = "obj",
                                    .read = read_obj,
                                    .write = obj_text,
                                    .recognises = recognise,
-                                   .unit = text::noted_unit};
+                                   .unit = unit_of};
 
 }  // namespace dupin

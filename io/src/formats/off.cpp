@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,28 +25,33 @@ struct Counts {
   std::size_t place = 0;  ///< in the file
 };
 
+constexpr std::string_view kKeyword = "OFF";
+
+/// How many letters before "OFF" say that numbers follow the coordinates of each point; none if the
+/// token is no keyword. Some writers glue the first count behind it.
+std::optional<std::size_t> keyword_prefix(std::string_view token) {
+  const std::size_t prefix = std::min(token.find_first_not_of("STCN"), token.size());
+  if (!token.substr(prefix).starts_with(kKeyword)) {
+    return std::nullopt;
+  }
+  const std::string_view glued = token.substr(prefix + kKeyword.size());
+  return glued.find_first_not_of("0123456789") == std::string_view::npos ? std::optional(prefix)
+                                                                         : std::nullopt;
+}
+
 /// The keyword; true when numbers follow the coordinates of each point. Leaves the scanner behind
-/// "OFF", to which some writers glue the first count.
+/// "OFF".
 bool read_keyword(text::TextScanner& scanner) {
-  constexpr std::string_view kExpected = "the keyword OFF (or COFF, NOFF, CNOFF, STOFF)";
   scanner.skip_space();
-  const std::string_view token = scanner.peek();
-  const std::size_t keyword = token.find("OFF");
-  if (keyword == std::string_view::npos) {
-    scanner.fail(kExpected);
+  const std::optional<std::size_t> prefix = keyword_prefix(scanner.peek());
+  if (!prefix) {
+    scanner.fail("the keyword OFF (or COFF, NOFF, CNOFF, STOFF)");
   }
-  std::string_view prefix = token.substr(0, keyword);
-  const std::string_view glued = token.substr(keyword + 3);
-  const bool digits =
-      std::all_of(glued.begin(), glued.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!digits || prefix.find_first_not_of("STCN") != std::string_view::npos) {
-    scanner.fail(kExpected);
-  }
-  scanner.move_to(scanner.position() + keyword + 3);
+  scanner.move_to(scanner.position() + *prefix + kKeyword.size());
   if (scanner.peek() == "BINARY") {
     scanner.fail("the text form of OFF");
   }
-  return !prefix.empty();
+  return *prefix > 0;
 }
 
 Counts read_counts(text::TextScanner& scanner) {
@@ -104,8 +110,7 @@ void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
 Evidence recognise(std::string_view bytes) {
   text::TextScanner scanner(bytes, {}, '#');
   scanner.skip_space();
-  const std::string_view token = scanner.peek().substr(0, 8);
-  return token.find("OFF") != std::string_view::npos ? Evidence::signature : Evidence::none;
+  return keyword_prefix(scanner.peek()) ? Evidence::text_signature : Evidence::none;
 }
 
 }  // namespace
@@ -159,6 +164,14 @@ std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
   return text;
 }
 
+namespace {
+
+std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
+  return text::noted_unit(bytes, "# ");
+}
+
+}  // namespace
+
 constinit const MeshFormat kOff = {.key = "off",
                                    .name = "OFF",
                                    .extension = ".off",
@@ -166,6 +179,6 @@ constinit const MeshFormat kOff = {.key = "off",
                                    .read = read_off,
                                    .write = off_text,
                                    .recognises = recognise,
-                                   .unit = text::noted_unit};
+                                   .unit = unit_of};
 
 }  // namespace dupin

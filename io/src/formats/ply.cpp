@@ -350,7 +350,7 @@ void append_vertex(std::string& text, const Vertices& vertices, std::size_t vert
 /// The reader tells the encodings apart.
 Evidence recognise(std::string_view bytes) {
   const std::string_view text = bytes.substr(text::byte_order_mark(bytes));
-  return text.starts_with("ply\n") || text.starts_with("ply\r") ? Evidence::signature
+  return text.starts_with("ply\n") || text.starts_with("ply\r") ? Evidence::text_signature
                                                                 : Evidence::none;
 }
 
@@ -415,6 +415,14 @@ std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   return bytes;
 }
 
+namespace {
+
+std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
+  return text::noted_unit(bytes, "comment ");
+}
+
+}  // namespace
+
 constinit const MeshFormat kPlyAscii = {.key = "ply-ascii",
                                         .name = "ASCII PLY",
                                         .extension = {},
@@ -423,7 +431,7 @@ constinit const MeshFormat kPlyAscii = {.key = "ply-ascii",
                                         .read = read_ply,
                                         .write = ply_ascii_text,
                                         .recognises = recognise,
-                                        .unit = text::noted_unit};
+                                        .unit = unit_of};
 
 constinit const MeshFormat kPlyBinary = {.key = "ply",
                                          .name = "binary PLY",
@@ -433,6 +441,6 @@ constinit const MeshFormat kPlyBinary = {.key = "ply",
                                          .read = read_ply,
                                          .write = ply_binary_bytes,
                                          .recognises = recognise,
-                                         .unit = text::noted_unit};
+                                         .unit = unit_of};
 
 }  // namespace dupin

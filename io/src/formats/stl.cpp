@@ -1,6 +1,6 @@
 #include "dupin/io/stl.h"
 
-#include "text/mesh_text.h"
+#include "formats/stl_binary.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
@@ -26,6 +26,13 @@ Evidence recognise_binary(std::string_view bytes) {
 
 std::string write_ascii(const TriMesh& mesh, const MeshHeader&) { return stl_ascii_text(mesh); }
 
+/// There is no place for one.
+std::string unit_of_ascii(std::string_view /*bytes*/, std::string_view /*file*/) { return {}; }
+
+std::string unit_of_binary(std::string_view bytes, std::string_view /*file*/) {
+  return formats::stl_unit(bytes);
+}
+
 }  // namespace
 
 constinit const MeshFormat kStlAscii = {.key = "stl-ascii",
@@ -36,7 +43,7 @@ constinit const MeshFormat kStlAscii = {.key = "stl-ascii",
                                         .read = read_stl_ascii,
                                         .write = write_ascii,
                                         .recognises = recognise_ascii,
-                                        .unit = text::noted_unit};
+                                        .unit = unit_of_ascii};
 
 constinit const MeshFormat kStlBinary = {.key = "stl",
                                          .name = "binary STL",
@@ -46,6 +53,6 @@ constinit const MeshFormat kStlBinary = {.key = "stl",
                                          .read = read_stl_binary,
                                          .write = stl_binary_bytes,
                                          .recognises = recognise_binary,
-                                         .unit = text::noted_unit};
+                                         .unit = unit_of_binary};
 
 }  // namespace dupin

@@ -13,6 +13,7 @@
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "formats/stl_facet.h"
+#include "text/known_unit.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
@@ -23,6 +24,8 @@ namespace {
 using formats::kStlHeader, formats::kStlPreamble, formats::kStlVector, formats::kStlFacet;
 
 constexpr std::string_view kNameMark = "solid ";
+constexpr std::string_view kWriter = "dupin binary STL";
+constexpr std::string_view kUnitMark = "; unit: ";
 
 [[noreturn]] void fail(std::string_view file, std::uint64_t place, const std::string& message) {
   throw Error(Errc::parse_failed, message, {},
@@ -88,9 +91,9 @@ Facet formats::stl_facet(std::string_view bytes, std::size_t at, std::uint64_t p
 // Cut between characters; must not begin with "solid".
 std::string formats::stl_binary_preamble(const std::string& name, const MeshHeader& header,
                                          std::uint32_t triangles) {
-  std::string text = "dupin binary STL";
+  std::string text(kWriter);
   if (!header.unit.empty()) {
-    text += "; unit: " + text::clean_line(header.unit);
+    text += std::string(kUnitMark) + text::clean_line(header.unit);
   }
   if (!header.note.empty()) {
     text += "; " + text::clean_line(header.note);
@@ -106,6 +109,16 @@ std::string formats::stl_binary_preamble(const std::string& name, const MeshHead
   text.resize(kStlHeader, '\0');
   text::store(text, triangles);
   return text;
+}
+
+std::string formats::stl_unit(std::string_view header) {
+  const std::string mark = std::string(kWriter) + std::string(kUnitMark);
+  if (!header.starts_with(mark)) {
+    return {};
+  }
+  header = header.substr(mark.size(), kStlHeader - mark.size());
+  const std::string_view unit = header.substr(0, header.find_first_of(std::string_view(";\0", 2)));
+  return text::metres_in(unit) ? std::string(unit) : std::string();
 }
 
 formats::StlMesh::StlMesh(std::size_t facets) : points_(facets / 2) {

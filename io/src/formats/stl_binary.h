@@ -27,6 +27,9 @@ constexpr std::size_t kStlFacet = 4 * kStlVector + 2;  // with two bytes of attr
 [[nodiscard]] Facet stl_facet(std::string_view bytes, std::size_t at, std::uint64_t place,
                               std::string_view file);
 
+/// The unit that the first 80 bytes of our own files state; empty if none, or of others'.
+[[nodiscard]] std::string stl_unit(std::string_view header);
+
 /// Makes the mesh that read_stl_binary() gives of facets in their order.
 class StlMesh {
  public:

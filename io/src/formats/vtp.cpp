@@ -17,7 +17,7 @@ Evidence recognise(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, 1000);
   return head.find("<VTKFile") != std::string_view::npos &&
                  head.find("PolyData") != std::string_view::npos
-             ? Evidence::signature
+             ? Evidence::text_signature
              : Evidence::none;
 }
 

@@ -19,7 +19,6 @@
 #include "files/placed_file.h"
 #include "formats/stl_binary.h"
 #include "text/little_endian.h"
-#include "text/mesh_text.h"
 
 namespace dupin {
 using formats::kStlFacet, formats::kStlHeader, formats::kStlPreamble;
@@ -155,7 +154,7 @@ TriMesh StlFile::mesh() const {
 }
 
 std::string StlFile::unit() const {
-  return text::noted_unit(bytes_at(*file_, 0, kStlPreamble, shown_), shown_);
+  return formats::stl_unit(bytes_at(*file_, 0, kStlHeader, shown_));
 }
 
 bool is_stl_file(const std::filesystem::path& path) {

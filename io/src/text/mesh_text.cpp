@@ -1,6 +1,8 @@
 #include "text/mesh_text.h"
 
 #include "dupin/kernel/error.h"
+#include "text/byte_order_mark.h"
+#include "text/known_unit.h"
 
 namespace dupin::text {
 namespace {
@@ -141,16 +143,23 @@ std::string header_lines(const MeshHeader& header, std::string_view prefix) {
   return text;
 }
 
-std::string noted_unit(std::string_view bytes, std::string_view /*file*/) {
-  constexpr std::string_view kMark = "unit: ";
+std::string noted_unit(std::string_view bytes, std::string_view prefix) {
   constexpr std::size_t kHead = 512;  // our writers note it in the first lines
-  const std::string_view head = bytes.substr(0, kHead);
-  const std::size_t mark = head.find(kMark);
-  if (mark == std::string_view::npos) {
-    return {};
+  const std::string mark = std::string(prefix) + "unit: ";
+  std::string_view head = bytes.substr(byte_order_mark(bytes), kHead);
+  for (std::size_t end = 0; (end = head.find_first_of("\r\n")) != std::string_view::npos;) {
+    std::string_view line = head.substr(0, end);
+    head.remove_prefix(end + 1);
+    if (line == "end_header") {  // of PLY, behind which may be any bytes
+      break;
+    }
+    if (line.starts_with(mark)) {
+      line.remove_prefix(mark.size());
+      line = line.substr(0, line.find_last_not_of(" \t") + 1);
+      return metres_in(line) ? std::string(line) : std::string();
+    }
   }
-  const std::string_view rest = head.substr(mark + kMark.size());
-  return std::string(rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz")));
+  return {};
 }
 
 std::vector<std::vector<std::uint32_t>> triangles_by_label(const TriMesh& mesh) {

@@ -55,8 +55,9 @@ void append_point(std::string& text, const Vector& point) {
 /// Comment lines that name the writer, the unit and the note, each behind `prefix`.
 [[nodiscard]] std::string header_lines(const MeshHeader& header, std::string_view prefix);
 
-/// The unit that such lines, or the header of our binary STL, state; empty if none.
-[[nodiscard]] std::string noted_unit(std::string_view bytes, std::string_view file);
+/// The unit that such a line states, the whole of it, among the first of a file; empty if none
+/// does, or if there is no such unit.
+[[nodiscard]] std::string noted_unit(std::string_view bytes, std::string_view prefix);
 
 /// Triangles by label, in order of the names, each in order of the mesh; one group of all for an
 /// unlabelled mesh.

@@ -126,7 +126,8 @@ TEST_F(MeshFile, every_format_has_a_key_of_its_own) {
 TEST_F(MeshFile, the_strongest_evidence_decides) {
   std::string stl = mesh_bytes(test::tetrahedron(), kStlBinary);
   const std::vector<std::pair<std::string, std::string>> table = {
-      {"v 1 2 3", "stl"}, {"solid x", "stl"}, {"OFF 0 0 0", "off"}, {"glTF", "glb"}};
+      {"v 1 2 3", "stl"}, {"solid x", "stl"}, {"OFF by one", "stl"},  {"OFFSHORE", "stl"},
+      {"KICKOFF", "stl"}, {"ply\nx", "stl"},  {"$MeshFormat", "stl"}, {"glTF", "glb"}};
   for (const auto& [start, key] : table) {
     stl.replace(0, start.size(), start);
     for (const MeshFormat& format : mesh_formats()) {

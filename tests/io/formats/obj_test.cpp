@@ -15,6 +15,22 @@ namespace {
 
 const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
+TEST(Obj, a_backslash_continues_the_line_of_a_name) {
+  const TriMesh mesh = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a \\\nb\nf 1 2 3\no \\\n c\\\r\nd\nf 1 3 2\n", "x.obj");
+  EXPECT_EQ(mesh.names, (std::vector<std::string>{"a  b", "c d"}));
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+}
+
+TEST(Obj, no_name_that_is_written_ends_in_a_backslash) {
+  TriMesh mesh = test::labelled_tetrahedron();
+  mesh.names = {"a\\", "a/", "b\\c"};
+  mesh.labels = {0, 1, 2, 2};
+  const std::string text = obj_text(mesh);
+  EXPECT_EQ(text.find("\\\n"), std::string::npos) << text;
+  EXPECT_EQ(read_obj(text, "x.obj").names, (std::vector<std::string>{"a/ (2)", "a/", "b\\c"}));
+}
+
 TEST(Obj, reads_back_bit_for_bit_what_it_writes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const TriMesh mesh = test::scattered_mesh(seed, 300, false);

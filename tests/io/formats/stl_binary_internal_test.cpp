@@ -80,6 +80,16 @@ TEST(StlLists, notices_numbers_that_the_format_does_not_hold) {
   EXPECT_FALSE(formats::stl_binary_lists(finer, stl_binary_bytes(finer)));
 }
 
+TEST(Stl, a_binary_header_states_a_unit_as_we_write_it_or_none) {
+  EXPECT_EQ(formats::stl_unit(stl_binary_bytes(mesh(), {"um", ""})), "um");
+  EXPECT_EQ(formats::stl_unit(stl_binary_bytes(mesh(), {"in", "moved"})), "in");
+  for (const char* const header :
+       {"unit: inch", "dupin binary STL; unit: inch", "dupin binary STL; solid x; unit: mm",
+        "dupin binary STL; solid pump unit: m", "exported, unit: mm", "dupin binary STL", ""}) {
+    EXPECT_EQ(formats::stl_unit(header), "") << header;
+  }
+}
+
 TEST(Stl, binary_keeps_one_name_and_tells_the_unit) {
   TriMesh mesh = test::by_first_use(test::tetrahedron());
   mesh.labels.assign(4, 0);

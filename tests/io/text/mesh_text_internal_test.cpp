@@ -86,13 +86,24 @@ TEST(MeshText, header_lines_state_writer_unit_and_note) {
   EXPECT_EQ(header_lines({"mm", "moved\nby 1"}, "# "), "# dupin\n# unit: mm\n# moved by 1\n");
 }
 
-TEST(MeshText, the_unit_is_found_in_the_first_lines) {
-  EXPECT_EQ(noted_unit("OFF\n" + header_lines({"in", ""}, "# "), ""), "in");
-  EXPECT_EQ(noted_unit("dupin binary STL; unit: mm; a note", ""), "mm");
-  EXPECT_EQ(noted_unit("no unit", ""), "");
-  std::string late(600, ' ');
-  late += "unit: mm";
-  EXPECT_EQ(noted_unit(late, ""), "");
+TEST(MeshText, the_unit_is_found_in_a_line_of_its_own_among_the_first) {
+  EXPECT_EQ(noted_unit("OFF\n" + header_lines({"in", ""}, "# "), "# "), "in");
+  EXPECT_EQ(noted_unit("ply\r\ncomment unit: um \r\n", "comment "), "um");
+  EXPECT_EQ(noted_unit("\xEF\xBB\xBF# unit: mm\n", "# "), "mm");
+  EXPECT_EQ(noted_unit("# unit: mm\n", "comment "), "");
+  EXPECT_EQ(noted_unit("no unit\n", "# "), "");
+  const std::string late(600, '\n');
+  EXPECT_EQ(noted_unit(late + "# unit: mm\n", "# "), "");
+}
+
+TEST(MeshText, a_unit_within_other_words_is_none) {
+  for (const char* const line :
+       {"# Temperature unit: m", "# unit: kelvin", "# unit: m8", "# unit: m, say",
+        "# unit: ", "#unit: m", "g unit: m", "unit: m", "g x # unit: m", " # unit: m"}) {
+    EXPECT_EQ(noted_unit(std::string(line) + '\n', "# "), "") << line;
+  }
+  EXPECT_EQ(noted_unit("ply\nend_header\ncomment unit: m\n", "comment "), "");
+  EXPECT_EQ(noted_unit("comment label unit: m\n", "comment "), "");
 }
 
 TEST(MeshText, triangles_are_grouped_by_label_in_the_order_of_names) {

@@ -23,9 +23,10 @@ namespace dupin {
 /// several formats, the one with the strongest takes the file.
 enum class Evidence : std::uint8_t {
   none,
-  first_word,  ///< text begins with one of the words that such files begin with
-  size,        ///< the bytes are exactly as many as they themselves say
-  signature,   ///< the bytes that only such files begin with
+  first_word,      ///< text begins with one of the words that such files begin with
+  text_signature,  ///< text begins as only such files do, and headers of free text may
+  size,            ///< the bytes are exactly as many as they themselves say
+  signature,       ///< the bytes that only such files begin with
 };
 
 /// A file format that holds meshes, and all that there is to know about it: one constant per
