@@ -1,6 +1,7 @@
 #include "formats/vtk_arrays.h"
 
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -33,17 +34,56 @@ void for_each_token(std::string_view text, const Visit& visit) {
   }
 }
 
+/// Of a decimal that is no double: whether it is as good as 0.
+bool is_tiny(std::string_view decimal) {
+  const std::size_t exponent = decimal.find_first_of("eE");
+  const std::string_view digits = decimal.substr(0, exponent);
+  const bool has_small_exponent =
+      exponent != std::string_view::npos && decimal.substr(exponent + 1).starts_with('-');
+  const std::string_view whole = digits.substr(0, digits.find('.'));
+  return exponent == std::string_view::npos
+             ? whole.find_first_of("123456789") == std::string_view::npos
+             : has_small_exponent;
+}
+
+/// As programs print numbers: with a plus, as 1e-400, whole ones as 1.0.
+template <class Number>
+std::optional<Number> number_of(std::string_view token) {
+  if (token.size() > 1 && token.front() == '+' && token[1] != '-') {
+    token.remove_prefix(1);
+  }
+  const char* const end = token.data() + token.size();
+  if constexpr (std::is_integral_v<Number>) {
+    Number number{};
+    const auto [stop, error] = std::from_chars(token.data(), end, number);
+    if (error == std::errc() && stop == end) {
+      return number;
+    }
+    constexpr double kLargest = 0x1p53;
+    const std::optional<double> value = number_of<double>(token);
+    return value && std::abs(*value) <= kLargest && *value == std::floor(*value)
+               ? std::optional(static_cast<Number>(*value))
+               : std::nullopt;
+  } else {
+    Number number{};
+    const auto [stop, error] = std::from_chars(token.data(), end, number);
+    if (stop != end || (error == std::errc::result_out_of_range && !is_tiny(token))) {
+      return std::nullopt;
+    }
+    return error == std::errc::invalid_argument ? std::nullopt : std::optional(number);
+  }
+}
+
 template <class Number>
 std::vector<Number> from_text(const VtkArray& array) {
   std::vector<Number> numbers;
   for_each_token(array.text, [&](std::string_view token) {
-    Number number{};
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
-    if (error != std::errc() || end != token.data() + token.size()) {
+    const std::optional<Number> number = number_of<Number>(token);
+    if (!number) {
       fail("found " + text::quoted(token) + " in the array " + text::quoted(array.name) +
            ", expected a number");
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
   });
   return numbers;
 }
@@ -103,6 +143,10 @@ void append_strings(std::string& text, std::string_view name,
 
 }  // namespace
 
+bool VtkArray::is_of_integers() const {
+  return (type.starts_with("Int") || type.starts_with("UInt")) && components == "1";
+}
+
 template <class Number>
 std::vector<Number> vtk_numbers(const VtkArray& array, const VtkEncoding& encoding) {
   if (array.format == "ascii") {
@@ -115,6 +159,10 @@ std::vector<Number> vtk_numbers(const VtkArray& array, const VtkEncoding& encodi
          ", expected it inside of its element and not compressed: save with the data mode ascii "
          "or binary, without a compressor");
   }
+  if (!encoding.is_little_endian) {
+    fail("found another order of bytes in the array " + text::quoted(array.name) +
+         ", expected LittleEndian, or the data mode ascii");
+  }
   const std::string bytes = decoded(array, encoding);
   const std::pair<std::string_view, std::vector<Number> (*)(std::string_view, const VtkArray&)>
       types[] = {
@@ -122,7 +170,8 @@ std::vector<Number> vtk_numbers(const VtkArray& array, const VtkEncoding& encodi
           {"Int8", converted<Number, std::int8_t>},   {"UInt8", converted<Number, std::uint8_t>},
           {"Int16", converted<Number, std::int16_t>}, {"UInt16", converted<Number, std::uint16_t>},
           {"Int32", converted<Number, std::int32_t>}, {"UInt32", converted<Number, std::uint32_t>},
-          {"Int64", converted<Number, std::int64_t>}, {"UInt64", converted<Number, std::uint64_t>}};
+          {"Int64", converted<Number, std::int64_t>}, {"UInt64", converted<Number, std::uint64_t>},
+          {"String", converted<Number, std::uint8_t>}};  // of their bytes
   for (const auto& [type, convert] : types) {
     if (type == array.type) {
       return convert(bytes, array);

@@ -15,12 +15,17 @@ namespace dupin::formats {
 struct VtkArray {
   std::string name, type, format;
   std::string text;
+  std::string components = "1";  ///< of each tuple
+
+  /// Whether there is one whole number for each point or cell.
+  [[nodiscard]] bool is_of_integers() const;
 };
 
 /// How a file has its arrays.
 struct VtkEncoding {
   bool is_compressed = false;
-  std::size_t header_size = 4;  ///< bytes of the size before each
+  std::size_t header_size = 4;   ///< bytes of the size before each
+  bool is_little_endian = true;  ///< what is not text
 };
 
 /// The numbers of an array, double or std::int64_t. Throws Error{parse_failed}, without the place.

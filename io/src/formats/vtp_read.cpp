@@ -13,6 +13,7 @@
 #include "dupin/kernel/error.h"
 #include "files/xml_events.h"
 #include "formats/vtk_arrays.h"
+#include "text/known_unit.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
 #include "text/text_scanner.h"
@@ -52,9 +53,8 @@ class VtpReader {
                   {}, std::string(file_));
     }
     if (has_labels_) {
-      for (std::uint32_t& label : mesh_.labels) {
-        label =
-            labels_.label(label < names_.size() ? names_[label] : "label " + std::to_string(label));
+      for (const std::int64_t label : label_of_triangle_) {
+        mesh_.labels.push_back(labels_.label(name_of(label)));
       }
       std::move(labels_).name_labels(mesh_);
     }
@@ -69,6 +69,15 @@ class VtpReader {
     std::vector<double> coordinates;
     std::vector<std::int64_t> corners, offsets, labels;
   };
+
+  static constexpr std::int64_t kNone = -1;  ///< the label of what is in a piece without
+
+  [[nodiscard]] std::string name_of(std::int64_t label) const {
+    return label == kNone ? "default"
+           : label < static_cast<std::int64_t>(names_.size())
+               ? names_[static_cast<std::size_t>(label)]
+               : "label " + std::to_string(label);
+  }
 
   static std::string text_of(const files::XmlAttributes& attributes, std::string_view name,
                              std::string_view otherwise = {}) {
@@ -102,7 +111,8 @@ class VtpReader {
       }
     } else if (element == "DataArray" || element == "Array") {
       array_ = formats::VtkArray{text_of(attributes, "Name"), text_of(attributes, "type"),
-                                 text_of(attributes, "format", "ascii")};
+                                 text_of(attributes, "format", "ascii"), "",
+                                 text_of(attributes, "NumberOfComponents", "1")};
     } else if (element == "AppendedData") {
       fail(
           "found appended data, expected them inside of the elements: save with the data mode "
@@ -116,10 +126,8 @@ class VtpReader {
     if (const std::string type = text_of(attributes, "type"); type != "PolyData") {
       fail("found a VTK file of type " + text::quoted(type) + ", expected PolyData, a surface");
     }
-    if (text_of(attributes, "byte_order", "LittleEndian") != "LittleEndian") {
-      fail("found the byte order " + text::quoted(text_of(attributes, "byte_order")) +
-           ", expected LittleEndian");
-    }
+    encoding_.is_little_endian =
+        text_of(attributes, "byte_order", "LittleEndian") == "LittleEndian";
     encoding_.is_compressed = !text_of(attributes, "compressor").empty();
     encoding_.header_size = text_of(attributes, "header_type", "UInt32") == "UInt64" ? 8 : 4;
   }
@@ -145,7 +153,7 @@ class VtpReader {
       piece_->corners = formats::vtk_numbers<std::int64_t>(array, encoding_);
     } else if (section_ == "Polys" && array.name == "offsets") {
       piece_->offsets = formats::vtk_numbers<std::int64_t>(array, encoding_);
-    } else if (section_ == "CellData" && array.name == "label") {
+    } else if (section_ == "CellData" && array.name == "label" && array.is_of_integers()) {
       piece_->labels = formats::vtk_numbers<std::int64_t>(array, encoding_);
     }
   }
@@ -170,7 +178,7 @@ class VtpReader {
       string = text::clean_line(string);
     }
     if (array.name == "unit") {
-      unit_ = strings.empty() ? "" : strings.front();
+      unit_ = !strings.empty() && text::metres_in(strings.front()) ? strings.front() : "";
     } else {
       names_ = std::move(strings);
     }
@@ -199,9 +207,6 @@ class VtpReader {
       mesh_.points.emplace_back(point.array() + 0.0);  // -0 becomes 0
     }
     append_polygons(piece, first);
-    if (has_labels_) {
-      mesh_.labels.resize(mesh_.triangles.size(), 0);
-    }
   }
 
   void append_polygons(const Piece& piece, std::uint32_t first) {
@@ -224,18 +229,18 @@ class VtpReader {
         corners.push_back(first + static_cast<std::uint32_t>(corner));
       }
       text::triangulate(corners, mesh_.points, mesh_.triangles, [] { return std::string(); });
-      if (!piece.labels.empty()) {
-        mesh_.labels.resize(mesh_.triangles.size(), label(piece.labels[piece.before + i]));
-      }
+      label_of_triangle_.resize(
+          mesh_.triangles.size(),
+          piece.labels.empty() ? kNone : label(piece.labels[piece.before + i]));
     }
   }
 
-  static std::uint32_t label(std::int64_t label) {
+  static std::int64_t label(std::int64_t label) {
     if (label < 0 || label > std::int64_t{0xFFFFFFFF}) {
       fail("found the label " + std::to_string(label) +
            ", expected an integer from 0 to 4294967295");
     }
-    return static_cast<std::uint32_t>(label);
+    return label;
   }
 
   std::string_view file_;
@@ -246,6 +251,7 @@ class VtpReader {
   std::optional<formats::VtkArray> array_;
   std::optional<Piece> piece_;
   std::vector<std::string> names_;
+  std::vector<std::int64_t> label_of_triangle_;
   text::LabelBuilder labels_;
   TriMesh mesh_;
 };
