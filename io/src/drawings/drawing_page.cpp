@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 
 #include "drawings/paper_sheet.h"
 #include "drawings/shading.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "text/drawable_text.h"
 
 #ifdef DUPIN_WITH_CAIRO
 #include <cairo-pdf.h>
@@ -38,6 +40,9 @@ cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int
 }
 
 void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) {
+    throw std::bad_alloc();
+  }
   if (status != CAIRO_STATUS_SUCCESS) {
     throw Error(Errc::internal, std::string("cairo fails: ") + cairo_status_to_string(status));
   }
@@ -68,20 +73,52 @@ void draw_text(cairo_t* context, const drawings::PaperText& text) {
   if (text.is_upright) {
     cairo_rotate(context, -std::acos(-1.0) / 2);
   }
+  const std::string drawn = text::drawable(text.text);
   cairo_text_extents_t extents;
-  cairo_text_extents(context, text.text.c_str(), &extents);
+  cairo_text_extents(context, drawn.c_str(), &extents);
   const double begin = text.is_centered ? -extents.x_advance / 2 : 0;
   // Lines end beside it.
   cairo_move_to(context, begin, 0);
-  cairo_text_path(context, text.text.c_str());
+  cairo_text_path(context, drawn.c_str());
   cairo_set_source_rgb(context, 1, 1, 1);
   cairo_set_line_width(context, drawings::kTextMargin);
   cairo_set_dash(context, nullptr, 0, 0);
   cairo_stroke(context);
   cairo_set_source_rgb(context, 0, 0, 0);
   cairo_move_to(context, begin, 0);
-  cairo_show_text(context, text.text.c_str());
+  cairo_show_text(context, drawn.c_str());
   cairo_restore(context);
+}
+
+// PDF has pages of up to 14400 points (ISO 32000-1, annex C); cairo's own numbers end at 2^23.
+constexpr double kLongestPage = 14400 / kPointsPerMillimetre;
+
+bool fits_page(const PaperSheet& sheet) { return sheet.size.maxCoeff() <= kLongestPage; }
+
+// Texts and margins do not shrink with the drawing.
+std::string scale_that_fits(const PaperSheet& sheet, const Drawing& drawing,
+                            const DrawingScale& scale, const SheetOptions& options) {
+  constexpr int kTries = 8;
+  double ratio = scale.real / scale.paper * (sheet.size.maxCoeff() / kLongestPage);
+  for (int i = 0; i < kTries && std::isnormal(ratio); ++i) {
+    const DrawingScale smaller = drawings::usual_scale(ratio);
+    if (fits_page(drawings::paper_sheet(drawing, smaller, options))) {
+      return "a scale of " + to_string(smaller) + " would do, or an SVG";
+    }
+    ratio *= 2;
+  }
+  return "a smaller scale may do, or an SVG";
+}
+
+void require_page(const PaperSheet& sheet, const Drawing& drawing, const DrawingScale& scale,
+                  const SheetOptions& options) {
+  if (!fits_page(sheet)) {
+    throw Error(Errc::limit_exceeded,
+                "the drawing would be " + decimal(sheet.size[0], kMessageDigits) + " x " +
+                    decimal(sheet.size[1], kMessageDigits) +
+                    " mm on paper, and a page of PDF is at most " + decimal(kLongestPage, 4) +
+                    " mm wide and high; " + scale_that_fits(sheet, drawing, scale, options));
+  }
 }
 
 // In millimetres.
@@ -106,11 +143,13 @@ bool can_draw_pages() { return true; }
 std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options) {
   const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
+  require_page(sheet, drawing, scale, options);
   std::string bytes;
   const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes,
                                                             sheet.size[0] * kPointsPerMillimetre,
                                                             sheet.size[1] * kPointsPerMillimetre));
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
+                                 text::drawable(sheet.title).c_str());
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                  "1970-01-01T00:00:00Z");
   {

@@ -86,17 +86,7 @@ DrawingScale fitting_scale(const Drawing& drawing) {
   if (!(larger > 0)) {
     return {};
   }
-  // The least 1, 2 or 5 times a power of ten that is not below `larger`.
-  for (int exponent = int(std::floor(std::log10(larger)));; ++exponent) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double power = std::pow(10.0, std::abs(exponent));
-      const double ratio = exponent < 0 ? digit / power : digit * power;
-      if (ratio >= larger) {
-        // 5 / 100 is 1 / 20, 2 / 100 is 1 / 50.
-        return ratio >= 1 ? DrawingScale{1, ratio} : DrawingScale{std::round(power / digit), 1};
-      }
-    }
-  }
+  return drawings::usual_scale(larger);
 }
 
 Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "drawings/annotations.h"
 
@@ -123,6 +124,20 @@ std::vector<double> dashes(Pen pen) {
   return pen == Pen::hidden   ? std::vector<double>{2, 1}
          : pen == Pen::center ? std::vector<double>{6, 1, 0.5, 1}
                               : std::vector<double>{};
+}
+
+DrawingScale usual_scale(double real_by_paper) {
+  // The least 1, 2 or 5 times a power of ten that is not below it.
+  for (int exponent = int(std::floor(std::log10(real_by_paper)));; ++exponent) {
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double power = std::pow(10.0, std::abs(exponent));
+      const double ratio = exponent < 0 ? digit / power : digit * power;
+      if (ratio >= real_by_paper) {
+        // 5 / 100 is 1 / 20, 2 / 100 is 1 / 50.
+        return ratio >= 1 ? DrawingScale{1, ratio} : DrawingScale{std::round(power / digit), 1};
+      }
+    }
+  }
 }
 
 PaperSheet paper_sheet(const Drawing& drawing, const DrawingScale& scale,

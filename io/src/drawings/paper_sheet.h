@@ -48,6 +48,9 @@ struct PaperSheet {
   double factor = 1;  ///< millimetres on paper for a unit of the picture
 };
 
+/// The largest of ISO 5455 at which a length is not less than `real_by_paper` times that on paper.
+[[nodiscard]] DrawingScale usual_scale(double real_by_paper);
+
 [[nodiscard]] PaperSheet paper_sheet(const Drawing& drawing, const DrawingScale& scale,
                                      const SheetOptions& options);
 

@@ -38,6 +38,37 @@ TEST(DrawingPage, refuses_pictures_that_are_too_large) {
   }
 }
 
+TEST(DrawingPage, refuses_pages_that_pdf_has_not_and_says_what_would_do) {
+  if (!can_draw_pages()) {
+    return;
+  }
+  EXPECT_THAT(drawing_pdf(drawing(), {100, 1}), testing::StartsWith("%PDF-"));
+  for (const double paper : {127.0, 1e4, 1e9, 1e300}) {
+    const auto message = [&](const SheetOptions& options) {
+      return test::message_of(
+          [&] {
+            (void)drawing_pdf(drawing(), {paper, 1}, options);
+          },
+          Errc::limit_exceeded);
+    };
+    EXPECT_THAT(message({}), testing::HasSubstr("a page of PDF is at most 5080 mm wide and high"));
+    EXPECT_THAT(message({}), testing::EndsWith("a scale of 100:1 would do, or an SVG"));
+    EXPECT_THAT(message({.names = true}), testing::EndsWith("or an SVG"));
+  }
+}
+
+TEST(DrawingPage, draws_names_of_noncharacters_and_bytes) {
+  if (!can_draw_pages()) {
+    return;
+  }
+  Drawing named = drawing();
+  named.source = "\xFF\xEF\xBF\xBF.json";
+  named.parts.push_back({"a\xEF\xBF\xBE", {20, 10}, {1, 1}});
+  const SheetOptions options{.names = true, .dimensions = true};
+  EXPECT_THAT(drawing_pdf(named, {1, 1}, options), testing::StartsWith("%PDF-"));
+  EXPECT_THAT(drawing_png(named, {1, 1}, options), testing::StartsWith("\x89PNG\r\n"));
+}
+
 TEST(DrawingPage, needs_a_positive_number_of_dots) {
   if (!can_draw_pages()) {
     return;
