@@ -14,6 +14,7 @@
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/io/avoided_meshes.h"
 #include "dupin/io/edit_json.h"
 #include "dupin/io/place_json.h"
 #include "dupin/io/report_json.h"
@@ -272,8 +273,8 @@ ExitCode run_placement(const EditArguments& arguments, const CommonOptions& comm
   const Assembly before = parse_assembly(input.bytes, input.name);
   require_meshes_not_written(before);
   const Unit unit = before.unit;
-  const PlacedDocument after =
-      placed_document(input.bytes, input.name, placement(arguments.placement, unit));
+  const PlacedDocument after = placed_document(
+      input.bytes, input.name, placement(arguments.placement, unit));
   check_placement(parse_assembly(after.text, input.name));
   write_text(arguments.output, after.text);
   const PlacedDocumentReport report{arguments.output, unit, {after.is_exact, after.largest_move}};
@@ -307,7 +308,10 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   EditReport report = compared(before, after, part);
   report.turned = turned_pieces(after, part, arguments.margin);
   report.file = arguments.output;
-  write_text(arguments.output, text);
+  // What no path has is read, or written, in the working directory.
+  const auto place = [](const std::string& path) { return output_path(path) == "-" ? "" : path; };
+  write_text(arguments.output,
+             with_meshes_seen_from(text, place(arguments.file), place(arguments.output)));
   std::ostream& out = report_stream(arguments.output);
   if (common.json) {
     out << to_json(report) << '\n';

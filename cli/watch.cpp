@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,8 +15,10 @@
 #include "child_process.h"
 #include "commands.h"
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/avoided_meshes.h"
 #include "dupin/io/report_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::cli {
 namespace {
@@ -72,38 +75,119 @@ std::string on_one_line(const std::string& json) {
   return line;
 }
 
-/// Builds whenever the file is another one than the one that was built last. A change during a
-/// build ends it: what it would write is old already.
+/// A file that is looked at again and again, and what was built of it.
+class WatchedFile {
+ public:
+  explicit WatchedFile(std::string file) : file_(std::move(file)), last_(state_of(file_)) {}
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] bool is_there() const { return last_.has_value(); }
+
+  /// Whether it is as it was at the last look.
+  bool look() {
+    const std::optional<State> now = state_of(file_);
+    const bool is_same = now == last_;
+    last_ = now;
+    return is_same;
+  }
+
+  /// Whether it differs from what was built. Where it may be that, and may not, its content tells.
+  [[nodiscard]] bool is_changed() {
+    if (!is_built_ || last_.has_value() != built_.has_value() ||
+        (last_ && last_->written != built_->written)) {
+      return true;
+    }
+    if (!last_) {
+      return false;
+    }
+    const bool is_doubtful = std::chrono::system_clock::now() - last_->changed < kCoarsest &&
+                             ++looks_ >= kLooksPerComparison;
+    if (last_->changed == built_->changed && !is_doubtful) {
+      return false;
+    }
+    looks_ = 0;
+    built_->changed = last_->changed;
+    return digest_of(file_) != digest_;
+  }
+
+  /// As it was at the last look.
+  void set_built() {
+    is_built_ = true;
+    built_ = last_;
+    digest_ = digest_of(file_);
+  }
+
+ private:
+  std::string file_;
+  std::optional<State> last_, built_;
+  bool is_built_ = false;
+  std::optional<std::string> digest_;  ///< of what is built
+  int looks_ = 0;                      ///< since it was compared
+};
+
+/// The meshes that a document avoids, where it finds them.
+std::vector<WatchedFile> meshes_beside(const std::string& document) {
+  std::vector<WatchedFile> meshes;
+  const std::filesystem::path folder = std::filesystem::path(document).parent_path();
+  try {
+    for (const std::string& mesh : avoided_meshes(read_file(document))) {
+      meshes.emplace_back((folder / mesh).string());
+    }
+  } catch (const Error&) {  // it cannot be read, which the build will say
+  }
+  return meshes;
+}
+
+/// Builds whenever the document, or a mesh that it avoids, is another one than the one that was
+/// built last. A change during a build ends it: what it would write is old already.
 class Watch {
  public:
   Watch(BatchItem item, std::vector<std::string> build, const CommonOptions& common)
       : item_(std::move(item)),
+        document_(item_.file),
         build_(std::move(build)),
         quiet_(common.quiet),
         json_(common.json) {}
 
   /// Until a signal ends the program.
   [[noreturn]] void run() {
-    std::optional<State> last = state_of(item_.file);
-    if (!last) {
+    if (!document_.is_there()) {
       say("missing", "there is no " + item_.file + " yet; waiting for it");
     }
     for (;; std::this_thread::sleep_for(kPause)) {
-      const std::optional<State> now = state_of(item_.file);
+      const bool was_there = document_.is_there();
+      const bool is_settled = look();
       report_ended();
-      if (now && now == last && is_changed(*now)) {
-        child_.reset();
-        built_ = now;
-        digest_ = digest_of(item_.file);
-        child_ = std::make_unique<ChildProcess>(build_, json_);
-      } else if (!now && last) {
+      if (document_.is_there() && is_settled && is_changed()) {
+        start();
+      } else if (!document_.is_there() && was_there) {
         say("gone", item_.file + " is gone; waiting for it");
       }
-      last = now;
     }
   }
 
  private:
+  /// Whether all is as it was.
+  bool look() {
+    bool is_same = document_.look();
+    for (WatchedFile& mesh : meshes_) {
+      is_same = mesh.look() && is_same;
+    }
+    return is_same;
+  }
+
+  bool is_changed() {
+    return document_.is_changed() || std::ranges::any_of(meshes_, &WatchedFile::is_changed);
+  }
+
+  void start() {
+    child_.reset();
+    document_.set_built();
+    meshes_ = meshes_beside(item_.file);
+    std::ranges::for_each(meshes_, &WatchedFile::set_built);
+    child_ = std::make_unique<ChildProcess>(build_, json_);
+  }
+
   void report_ended() {
     const auto ended = child_ ? child_->poll() : std::nullopt;
     if (!ended) {
@@ -114,21 +198,6 @@ class Watch {
       std::cout << on_one_line(result_json(item_, *ended)) << std::endl;
     }
     say("waiting", "waiting for changes of " + item_.file);
-  }
-
-  /// Where it may be the one that was built, and may not, its content tells.
-  [[nodiscard]] bool is_changed(const State& now) {
-    if (!built_ || now.written != built_->written) {
-      return true;
-    }
-    const bool is_doubtful = std::chrono::system_clock::now() - now.changed < kCoarsest &&
-                             ++looks_ >= kLooksPerComparison;
-    if (now.changed == built_->changed && !is_doubtful) {
-      return false;
-    }
-    looks_ = 0;
-    built_->changed = now.changed;
-    return digest_of(item_.file) != digest_;
   }
 
   /// With --json, all that is said is an object on a line of its own.
@@ -145,11 +214,10 @@ class Watch {
   }
 
   BatchItem item_;
+  WatchedFile document_;
+  std::vector<WatchedFile> meshes_;  ///< of what is built
   std::vector<std::string> build_;
   bool quiet_, json_;
-  std::optional<State> built_;
-  std::optional<std::string> digest_;  ///< of what is built
-  int looks_ = 0;                      ///< since it was compared
   std::unique_ptr<ChildProcess> child_;
 };
 

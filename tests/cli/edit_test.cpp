@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/atomic_file.h"
+#include "support/shapes.h"
 
 namespace dupin::test {
 namespace {
@@ -120,6 +122,23 @@ TEST_F(Edit, edits_the_chain_that_is_named) {
                         R"({"file": "new.json", "part": "b", "pieces": 1, "changed": [0],
                             "spheres": [{"sphere": 2, "value": [4.0, 9.5, 0.0, 1.0]}],
                             "turned": []})"));
+}
+
+TEST_F(Edit, meshes_that_are_avoided_are_found_from_another_folder) {
+  std::string document = read_file(example("crane-hook.json"));
+  document.insert(document.rfind(']'), R"(,
+      {"name": "a", "pipe": {"from": [0, 30, 0], "to": [1, 30, 0], "radius": 1}},
+      {"name": "b", "pipe": {"from": [60, 30, 0], "to": [61, 30, 0], "radius": 1}},
+      {"name": "r", "spline": {"from": "a.end", "to": "b.start", "through": [], "clearance": 1,
+                               "avoid": [{"mesh": "m.off"}]}})");
+  folder_.write("h.json", document);
+  put("m.off", box({25, 29, -1}, {30, 31, 1}));
+  EXPECT_EQ(shell("mkdir sub").exit_code, 0);
+  const ProcessResult result =
+      dupin({"edit", "h.json", "--twist", "6=1", "-o", "sub/h2.json", "--margin", "0"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(folder_.read("sub/h2.json"), HasSubstr(R"("avoid": [{"mesh": "../m.off"}])"));
+  EXPECT_EQ(dupin({"info", "sub/h2.json"}).exit_code, 0);
 }
 
 TEST_F(Edit, edits_a_chain_in_an_entry_with_parts) {

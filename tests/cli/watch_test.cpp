@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.h"
+#include "support/shapes.h"
 
 namespace dupin::test {
 namespace {
@@ -56,6 +57,25 @@ TEST_F(Watch, does_not_build_for_a_change_of_permissions) {
             "until_ 'grep -q waiting err' || exit 10; chmod 600 a.json; sleep 1; "
             "kill -TERM $pid; wait $pid; grep -c written out");
   EXPECT_EQ(result.out, "1\n") << result.err << folder_.read("err");
+}
+
+TEST_F(Watch, builds_again_when_a_mesh_that_the_document_avoids_changes) {
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": [
+      {"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
+      {"name": "b", "pipe": {"from": [60, 0, 0], "to": [61, 0, 0], "radius": 1}},
+      {"name": "r", "spline": {"from": "a.end", "to": "b.start", "through": [], "clearance": 1,
+                               "avoid": [{"mesh": "m.off"}]}}]})");
+  put("m.off", box({25, -1, -1}, {30, 1, 1}));
+  put("n.off", box({25, -1, -1}, {30, 6, 1}));
+  const ProcessResult result =
+      shell(kPrelude + tool_path() +
+            " watch a.json -o a.off > out 2> err & pid=$!; "
+            "until_ 'grep -q waiting err' || exit 10; cp a.off first; cp m.off m; "
+            "mv n.off m.off; until_ '! cmp -s a.off first' || exit 11; "
+            "rm m.off; until_ 'grep -q m.off err' || exit 12; "
+            "cp m m.off; until_ 'cmp -s a.off first' || exit 13; "
+            "kill -TERM $pid; wait $pid; true");
+  EXPECT_EQ(result.exit_code, 0) << result.err << folder_.read("err") << folder_.read("out");
 }
 
 TEST_F(Watch, waits_for_a_document_that_is_not_there_yet) {

@@ -117,9 +117,9 @@ Part part(const JsonNode& node) {
   return result;
 }
 
-Part part(const json::ExpandedPart& expanded, const std::string& source) {
+Part part(const json::ExpandedPart& expanded, const std::string& source, Unit unit) {
   try {
-    Part result = part(JsonNode(expanded.part, source, expanded.pointer));
+    Part result = part(JsonNode(expanded.part, source, expanded.pointer).in(symbol(unit)));
     result.key = expanded.key;
     return result;
   } catch (const Error& error) {
@@ -206,7 +206,7 @@ AssemblyDocument parse_document(std::string_view text, const std::string& source
         assembly.parts.resize(first + some.size());
         for_each_in_parallel(some.size(), [&](std::size_t i) {
           const std::string own = document_place({}, static_cast<std::uint32_t>(first + i));
-          assembly.parts[first + i] = part(some[i], source);
+          assembly.parts[first + i] = part(some[i], source, assembly.unit);
           assembly.parts[first + i].pointer = some[i].pointer == own ? "" : some[i].pointer;
         });
         for (std::size_t i = 0; i < some.size(); ++i) {

@@ -201,15 +201,15 @@ JsonNode JsonNode::at(std::string_view key) const {
   if (!has(key)) {
     fail("the key '" + std::string(key) + "' is missing");
   }
-  return {value_->at(std::string(key)), *source_, pointer_ + "/" + escaped(key)};
+  return {value_->at(std::string(key)), *source_, pointer_ + "/" + escaped(key), unit_};
 }
 
 JsonNode JsonNode::at(std::size_t index) const {
-  return {value_->at(index), *source_, pointer_ + "/" + std::to_string(index)};
+  return {value_->at(index), *source_, pointer_ + "/" + std::to_string(index), unit_};
 }
 
 JsonNode JsonNode::with(const Json& value, std::string_view key) const {
-  return {value, *source_, pointer_ + "/" + escaped(key)};
+  return {value, *source_, pointer_ + "/" + escaped(key), unit_};
 }
 
 void JsonNode::require_object() const {

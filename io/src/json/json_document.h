@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 class JsonNode {
  public:
   JsonNode(const Json& value, const std::string& source, std::string pointer)
-      : value_(&value), source_(&source), pointer_(std::move(pointer)) {}
+      : JsonNode(value, source, std::move(pointer), {}) {}
 
   [[noreturn]] void fail(const std::string& message) const;
 
@@ -35,6 +35,13 @@ class JsonNode {
   /// The name of the document.
   [[nodiscard]] const std::string& source() const { return *source_; }
   [[nodiscard]] bool has(std::string_view key) const;
+
+  /// What the document's lengths are in, as it says; empty where nobody told.
+  [[nodiscard]] std::string_view unit() const { return unit_; }
+  /// The same of a document that says so; `unit` has to outlive it.
+  [[nodiscard]] JsonNode in(std::string_view unit) const {
+    return {*value_, *source_, pointer_, unit};
+  }
 
   /// The value of a key. Throws if this is not an object or has no such key.
   [[nodiscard]] JsonNode at(std::string_view key) const;
@@ -50,9 +57,13 @@ class JsonNode {
   [[nodiscard]] std::string text() const;
 
  private:
+  JsonNode(const Json& value, const std::string& source, std::string pointer, std::string_view unit)
+      : value_(&value), source_(&source), pointer_(std::move(pointer)), unit_(unit) {}
+
   const Json* value_;
   const std::string* source_;
   std::string pointer_;
+  std::string_view unit_;
 };
 
 }  // namespace dupin::json

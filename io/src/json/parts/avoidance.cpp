@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
+#include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/kernel/error.h"
 #include "json/parts/part_values.h"
@@ -30,11 +32,21 @@ Obstacle box(const JsonNode& node) {
 MeshObstacle mesh_obstacle(const JsonNode& node) {
   const std::string file = node.text();
   const std::filesystem::path beside = std::filesystem::path(node.source()).parent_path();
+  const std::string path = (beside / file).string();
+  TriMesh mesh;
+  std::string unit;
   try {
-    return {file, std::make_shared<const TriMesh>(read_mesh(beside / file))};
+    const std::string bytes = read_file(path);
+    mesh = read_mesh(bytes, path);
+    unit = mesh_unit(bytes, path);
   } catch (const Error& error) {
     node.fail(std::string("is not read: ") + error.what());
   }
+  if (!unit.empty() && !node.unit().empty() && unit != node.unit()) {
+    node.fail("'" + file + "' is in " + unit + ", but the document in " + std::string(node.unit()) +
+              "; convert it first, with --to-unit");
+  }
+  return {file, std::make_shared<const TriMesh>(std::move(mesh))};
 }
 
 std::variant<Obstacle, std::string, MeshObstacle> obstacle(const JsonNode& node) {

@@ -5,6 +5,7 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
 #include "io/json/facing_pipes.h"
 #include "support/scratch_directory.h"
 #include "support/shapes.h"
@@ -41,6 +42,13 @@ TEST_F(AvoidanceOfFiles, meshes_are_found_beside_the_document) {
   write_mesh(path("crate.off"), test::box({10, -50, -50}, {50, 50, 50}));
   EXPECT_THAT(refusal(facing_pipes_and(spline), place.string()),
               HasSubstr("goes round (20, 0, 0), where the way ends"));
+  write_mesh(path("crate.off"), test::box({-3, -4, -4}, {3, 4, 4}), kOff, {.unit = "m"});
+  EXPECT_THAT(refusal(facing_pipes_and(spline), place.string()),
+              HasSubstr("plant.json#/parts/2/spline/avoid/0/mesh: 'crate.off' is in m, but the "
+                        "document in mm; convert it first, with --to-unit"));
+  write_mesh(path("crate.off"), test::box({-3, -4, -4}, {3, 4, 4}), kOff, {.unit = "mm"});
+  EXPECT_GT(chain(resolve(parse_assembly(facing_pipes_and(spline), place.string()))).pieces.size(),
+            1);
   write_mesh(path("crate.off"), {});
   EXPECT_THAT(
       refusal(facing_pipes_and(spline), place.string()),
