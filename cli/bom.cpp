@@ -26,6 +26,7 @@ struct BomArguments {
   SourceArguments source;
   double density = 0;  // 0: not given
   bool csv = false, mesh = false;
+  std::size_t most_triangles = kUsualTriangles;
 };
 
 using Cells = std::vector<std::string>;
@@ -152,17 +153,22 @@ void print_bill(const BillReport& report) {
 void refuse_contradictions(const BomArguments& arguments, const CommonOptions& common) {
   if (!arguments.mesh) {
     refuse_tolerance("bom", common, "--mesh --tolerance");
+    if (arguments.most_triangles != kUsualTriangles) {
+      throw UsageError("--triangles is for the mesh of bom --mesh");
+    }
   }
   if (arguments.csv && (common.json || arguments.mesh)) {
     throw UsageError("--csv excludes --json and --mesh");
   }
 }
 
-MeshVolumes mesh_volumes(Document& document, const CommonOptions& common) {
-  const double tolerance =
-      length_in(document.assembly.unit, common.tolerance, document.assembly.tolerance);
+MeshVolumes mesh_volumes(Document& document, std::size_t most_triangles,
+                         const CommonOptions& common) {
+  const double tolerance = document_length("--tolerance", document.assembly.unit, common.tolerance,
+                                           document.assembly.tolerance);
   BuildOptions options;
   options.tolerance = tolerance;
+  options.most_triangles = most_triangles;
   ProgressLine line(common.quiet);
   options.progress = line.callback();
   const Built built = build(document, options);
@@ -174,7 +180,9 @@ ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
   refuse_contradictions(arguments, common);
   Document document = read_document(arguments.file, arguments.source, arguments.walls);
   // Told to keep going, a build leaves out parts that the bill then does not have either.
-  const auto mesh = arguments.mesh ? std::optional(mesh_volumes(document, common)) : std::nullopt;
+  const auto mesh = arguments.mesh
+                        ? std::optional(mesh_volumes(document, arguments.most_triangles, common))
+                        : std::nullopt;
   BillReport report = bill_report(document);
   report.mesh = mesh;
   if (arguments.density > 0) {
@@ -226,6 +234,7 @@ void add_bom(CLI::App& app, Action& action) {
   command->add_flag("--mesh", arguments->mesh,
                     "Build the mesh, too, within --tolerance or the document's, and say the\n"
                     "volumes of the union, in which nothing counts twice");
+  add_triangles_option(*command, arguments->most_triangles);
   add_wall_options(*command, arguments->walls);
   add_source_options(*command, arguments->source);
   command->footer(

@@ -133,7 +133,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
                            const CommonOptions& common) {
   BuildOptions options;
   if (!common.tolerance.empty()) {
-    options.tolerance = length_in(assembly.unit, common.tolerance, 0);
+    options.tolerance = document_length("--tolerance", assembly.unit, common.tolerance, 0);
   }
   if (arguments.segments > 0) {
     options.segments = arguments.segments;

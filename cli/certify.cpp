@@ -15,6 +15,7 @@
 #include "dupin/blends/certificate.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "exit_code.h"
 #include "input.h"
 #include "length.h"
 #include "output.h"
@@ -247,9 +248,13 @@ ExitCode verdict_on(const Certificate& certificate) {
 }
 
 ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& common) {
+  if (arguments.margin && !(*arguments.margin >= 0 && *arguments.margin < 1)) {
+    throw UsageError("--margin takes a number of at least 0 and less than 1");
+  }
   const Input input = read_input(arguments.file);
   Assembly assembly = read_document(input, arguments.source).assembly;
-  assembly.tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
+  assembly.tolerance =
+      document_length("--tolerance", assembly.unit, common.tolerance, assembly.tolerance);
   std::optional<ProgressLine> line(common.quiet);
   Certificate certificate = certify(assembly, {.margin = arguments.margin,
                                                .most_triangles = arguments.most_triangles,

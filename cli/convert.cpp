@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "argument_checks.h"
 #include "commands.h"
 #include "document.h"
+#include "dupin/blends/unit.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/kernel/check.h"
@@ -48,6 +50,7 @@ bool holds(const MeshFormat& format, const TriMesh& mesh) {
 struct ConvertArguments {
   MeshToMesh files;
   PlacementArguments placement;
+  std::string unit;  ///< of the result
   SourceArguments source;
   WallArguments walls;
 };
@@ -61,12 +64,30 @@ bool names_mesh(const std::string& path) {
   }
 }
 
+/// What says how numbers are rounded.
+bool is_of_numbers(const MeshToMesh& files) {
+  const RoundingArguments& rounding = files.rounding;
+  return !rounding.origin.empty() || !rounding.grid.empty() || !rounding.tolerance.empty();
+}
+
+void refuse_of_document(const ConvertArguments& all) {
+  const OutputArguments& output = all.files.output;
+  if (!all.placement.empty() || !all.unit.empty()) {
+    throw UsageError(
+        "--translate, --rotate, --scale and --to-unit are for meshes; convert to .json first");
+  }
+  if (is_of_numbers(all.files) || !output.patches.empty() || !output.verification.empty() ||
+      output.no_verify) {
+    throw UsageError(
+        "--origin, --grid, --rounding-tolerance, --patches, --verify and --no-verify are for "
+        "meshes, and convert makes a document of a graph or piping file");
+  }
+}
+
 /// A graph or piping file as the document that it is made into.
 ExitCode write_document(const Input& input, const ConvertArguments& all,
                         const CommonOptions& common) {
-  if (!all.placement.empty()) {
-    throw UsageError("--translate, --rotate and --scale are for meshes; convert to .json first");
-  }
+  refuse_of_document(all);
   const std::string& path = all.files.output.path;
   if (names_mesh(path) || !all.files.output.format.empty()) {
     throw UsageError(
@@ -94,16 +115,31 @@ ExitCode write_document(const Input& input, const ConvertArguments& all,
   return report.source_findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
+/// How many microns one of the unit is, a whole number.
+double microns(const std::string& unit) {
+  return unit == "um" ? 1 : std::round(1000 * millimetres(unit_from(unit)));
+}
+
+/// The moves that are asked for, then the numbers in another unit.
+Placement placement_of(const ConvertArguments& all, const std::string& stated) {
+  Placement where = placement(all.placement, stated);
+  if (!all.unit.empty()) {
+    where.scale(microns(stated.empty() ? "mm" : stated), microns(all.unit));
+  }
+  return where;
+}
+
 /// What is a solid is put elsewhere in exact coordinates and stays one; the points of other meshes
 /// are rounded each by itself.
-OutputReport write_placed(const TriMesh& mesh, const Placement& placement, const Destination& to,
-                          const RoundingOptions& rounding, const MeshHeader& header) {
+OutputReport write_placed(const TriMesh& mesh, bool is_solid, const Placement& placement,
+                          const Destination& to, const RoundingOptions& rounding,
+                          const MeshHeader& header) {
   double radius = 0;
   for (const Vec3& point : mesh.points) {
     radius = std::max(radius, point.allFinite() ? point.stableNorm() : 0);
   }
   const double error = placement.error(radius);
-  if (check(mesh).is_solid()) {
+  if (is_solid) {
     OutputReport report = write_solid(placed(Solid::from(mesh), placement), to, rounding, header);
     report.placement = {placement.is_exact() && report.rounding.moved == 0,
                         error + report.rounding.largest_move};
@@ -123,19 +159,26 @@ ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
     return write_document(input, all, common);
   }
   refuse_tolerance("convert", common, "--rounding-tolerance");
+  refuse_of_mesh(input.name, all.source, all.walls);
   const Destination to = destination(arguments.output);
-  const MeshHeader header{input.unit(), {}};
+  const std::string stated = input.unit();
+  const MeshHeader header{all.unit.empty() ? stated : all.unit, {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   // What is not rounded need not be proved a solid, unless that is asked for.
-  const bool unchanged = rounding.output_grid == 0 &&
-                         rounding.origin.choice == Origin::Choice::keep && to.patches.empty();
+  const bool unchanged = !is_of_numbers(arguments) && to.patches.empty();
   const TriMesh mesh = read_mesh(input.bytes, input.name);
-  if (!all.placement.empty()) {
-    const Placement where = placement(all.placement, unit_of_mesh(header.unit));
-    print_written(write_placed(mesh, where, to, rounding, header), to, common);
+  const bool is_placed = !all.placement.empty() || (!all.unit.empty() && all.unit != stated);
+  const bool stays_solid =
+      (is_placed || !unchanged || !holds(to.format, mesh)) && check(mesh).is_solid();
+  if (is_of_numbers(arguments) && !stays_solid) {
+    throw UsageError("--origin, --grid and --rounding-tolerance are for solids, and " + input.name +
+                     " is none: see dupin check");
+  }
+  if (is_placed) {
+    const Placement where = placement_of(all, stated);
+    print_written(write_placed(mesh, stays_solid, where, to, rounding, header), to, common);
     return ExitCode::ok;
   }
-  const bool stays_solid = !(unchanged && holds(to.format, mesh)) && check(mesh).is_solid();
   print_written(stays_solid ? write_solid(Solid::from(mesh), to, rounding, header)
                             : write_plain(mesh, to, header),
                 to, common);
@@ -150,16 +193,22 @@ void add_convert(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ConvertArguments>();
   add_mesh_to_mesh_options(*command, "mesh file, graph or piping file", arguments->files);
   add_placement_options(*command, arguments->placement);
+  command
+      ->add_option("--to-unit", arguments->unit,
+                   "Coordinates in this unit, um, mm, cm, m, in or ft, instead of the mesh's\n"
+                   "own, or of millimetres where it states none")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"um", "mm", "cm", "m", "in", "ft"}));
   add_source_options(*command, arguments->source);
   add_wall_options(*command, arguments->walls);
   command->footer(
       "A solid whose coordinates the format cannot hold, or that touches itself where readers of\n"
-      "STL would weld it, is changed so that it stays one; any other mesh is written as it is. "
-      "Moves, turns and changes of size are exact, and rounded "
-      "once.\n\n"
+      "STL would weld it, is changed so that it stays one; any other mesh is written as it is.\n"
+      "Moves, turns and changes of size are exact, and rounded once.\n\n"
       "Examples:\n"
       "  dupin convert part.off part.stl\n"
       "  dupin convert line.pcf line.json --bridge 1mm\n"
+      "  dupin convert part.3mf part.stl --to-unit in\n"
       "  dupin convert valve.stl placed.stl --rotate 0,0,1,90 --translate 1.5m,0,-20mm\n"
       "  dupin convert - - --format off < part.stl > part.off");
   command->callback([arguments, command, &action] {

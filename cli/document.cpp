@@ -125,6 +125,16 @@ std::vector<std::string> meshes_avoided_by(const PartShape& shape) {
 
 }  // namespace
 
+void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,
+                    const WallArguments& walls) {
+  refuse_foreign(arguments, walls.wall, DocumentKind::assembly);
+  if (!walls.empty()) {
+    throw UsageError(
+        "--wall, --wall-side and --insulation are for documents, graphs and piping files, and " +
+        name + " is a mesh");
+  }
+}
+
 void require_meshes_not_written(const Assembly& assembly) {
   const std::filesystem::path folder = std::filesystem::path(assembly.source).parent_path();
   for (const Part& part : assembly.parts) {
@@ -167,10 +177,10 @@ Document read_document(const Input& input, const SourceArguments& arguments,
   require_meshes_not_written(document.assembly);
   const auto apply = [&](Assembly& assembly) {
     if (!walls.wall.empty()) {
-      assembly.wall = length_in(assembly.unit, walls.wall, 0);
+      assembly.wall = document_length("--wall", assembly.unit, walls.wall, 0);
     }
     if (!walls.insulation.empty()) {
-      assembly.insulation = length_in(assembly.unit, walls.insulation, 0);
+      assembly.insulation = document_length("--insulation", assembly.unit, walls.insulation, 0);
     }
     for (const WallSide side : {WallSide::inwards, WallSide::outwards, WallSide::centred}) {
       if (walls.side == name(side)) {

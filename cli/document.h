@@ -46,6 +46,11 @@ struct WallArguments {
                                      const WallArguments& walls = {},
                                      const Progress& progress = {});
 
+/// Of what is a mesh: none of these options, each of which is for a document, is given. Throws
+/// UsageError.
+void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,
+                    const WallArguments& walls = {});
+
 /// No output may take the place of the meshes that a document names, which read_document asks of
 /// it. Throws UsageError.
 void require_meshes_not_written(const Assembly& assembly);

@@ -16,6 +16,7 @@
 #include "dupin/io/drawing_svg.h"
 #include "exchange_options.h"
 #include "length.h"
+#include "number_range.h"
 #include "output.h"
 #include "progress_line.h"
 #include "report_text.h"
@@ -30,6 +31,7 @@ struct DrawArguments {
   std::vector<double> direction, up;
   SourceArguments source;
   double dots_per_inch = 150;
+  std::size_t most_triangles = kUsualTriangles;
   bool hidden = false, center = false, shaded = false;
   SheetOptions sheet;
 };
@@ -83,8 +85,9 @@ BuildOptions build_options(const Assembly& assembly, const DrawArguments& argume
                            const CommonOptions& common) {
   BuildOptions options;
   if (!common.tolerance.empty()) {
-    options.tolerance = length_in(assembly.unit, common.tolerance, 0);
+    options.tolerance = document_length("--tolerance", assembly.unit, common.tolerance, 0);
   }
+  options.most_triangles = arguments.most_triangles;
   options.region = region_named(arguments.region);
   return options;
 }
@@ -210,9 +213,10 @@ void add_draw(CLI::App& app, Action& action) {
       ->add_option("--dpi", arguments->dots_per_inch,
                    "Pixels of a PNG for an inch of paper; 150 if not given")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1.0, 2400.0));
+      ->check(number_range(1, 2400));
   add_wall_options(*command, arguments->walls);
   add_region_option(*command, arguments->region);
+  add_triangles_option(*command, arguments->most_triangles);
   add_source_options(*command, arguments->source);
   command->footer(
       "Contours of the smooth surfaces and the edges in which they meet, within --tolerance (the\n"

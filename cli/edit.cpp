@@ -274,7 +274,7 @@ ExitCode run_placement(const EditArguments& arguments, const CommonOptions& comm
   require_meshes_not_written(before);
   const Unit unit = before.unit;
   const PlacedDocument after = placed_document(
-      input.bytes, input.name, placement(arguments.placement, unit));
+      input.bytes, input.name, placement(arguments.placement, std::string(symbol(unit))));
   check_placement(parse_assembly(after.text, input.name));
   write_text(arguments.output, after.text);
   const PlacedDocumentReport report{arguments.output, unit, {after.is_exact, after.largest_move}};

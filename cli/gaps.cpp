@@ -66,6 +66,7 @@ ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
     return print_summary(measure_ends(inputs.front(), arguments.source, arguments.connect), common,
                          print_gaps);
   }
+  refuse_of_mesh(inputs.front().name, arguments.source);
   return print_summary(measure_meshes(inputs, arguments.connect), common, print_mesh_gaps);
 }
 

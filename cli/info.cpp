@@ -65,6 +65,7 @@ ExitCode run_info(const InfoArguments& arguments, const CommonOptions& common) {
     }
     return ExitCode::ok;
   }
+  refuse_of_mesh(input.name, arguments.source);
   TriMesh mesh = read_mesh(input.bytes, input.name);
   const Report report = check(mesh, {.limit = 0, .self_intersections = false});
   const MeshSummary summary{input.name, input.unit(), std::move(mesh), report};

@@ -84,7 +84,7 @@ std::string common_unit(const std::vector<StatedUnit>& stated) {
     } else if (first->unit != own.unit) {
       throw Error(Errc::invalid_argument,
                   "is in " + own.unit + ", but " + first->file + " in " + first->unit +
-                      "; convert one of them first",
+                      "; convert one of them first, with --to-unit",
                   {}, own.file);
     }
   }

@@ -10,8 +10,13 @@ namespace dupin::cli {
 /// A length typed on the command line, in `unit`; `otherwise` for an empty text. Throws UsageError.
 [[nodiscard]] double length_in(Unit unit, const std::string& text, double otherwise);
 
+/// The same of a length that an option puts in the place of a document's, within the bounds of
+/// these; else the option is blamed, not the document.
+[[nodiscard]] double document_length(const std::string& option, Unit unit, const std::string& text,
+                                     double otherwise);
+
 /// The same beside meshes that state this unit; where they state none, their coordinates are taken
-/// as millimetres.
+/// as millimetres. Meshes may state microns, too, "um".
 [[nodiscard]] double mesh_length(const std::string& text, double otherwise,
                                  const std::string& mesh_unit);
 

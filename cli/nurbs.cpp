@@ -59,7 +59,8 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
   refuse_other_extensions(arguments.output, kKnown);
   const Document document = read_document(arguments.file, arguments.source);
   const Assembly& assembly = document.assembly;
-  const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
+  const double tolerance =
+      document_length("--tolerance", assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = named_nurbs(assembly, tolerance);
   write_text(arguments.output, nurbs_file(parts, assembly.unit, lower_extension(arguments.output)));
   if (output_path(arguments.output) == "-") {

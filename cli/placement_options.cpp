@@ -58,23 +58,24 @@ struct Typed {
   }
 
   /// A length that may be negative or 0.
-  [[nodiscard]] double coordinate(const std::string& text, Unit unit) const {
+  [[nodiscard]] double coordinate(const std::string& text, const std::string& unit) const {
     std::string_view rest = text;
     const double value = take_number(rest);
     if (value == 0) {
-      return rest.empty() ? 0 : 0 * length_in(unit, "1" + std::string(rest), 0);
+      return rest.empty() ? 0 : 0 * mesh_length("1" + std::string(rest), 0, unit);
     }
-    return value < 0 ? -length_in(unit, text.substr(1), 0) : length_in(unit, text, 0);
+    return value < 0 ? -mesh_length(text.substr(1), 0, unit) : mesh_length(text, 0, unit);
   }
 
   [[nodiscard]] Vec3 point(const std::vector<std::string>& fields, std::size_t first,
-                           Unit unit) const {
+                           const std::string& unit) const {
     return {coordinate(fields[first], unit), coordinate(fields[first + 1], unit),
             coordinate(fields[first + 2], unit)};
   }
 };
 
-void translate(const PlacementArguments::Step& step, Unit unit, Placement& placement) {
+void translate(const PlacementArguments::Step& step, const std::string& unit,
+               Placement& placement) {
   const Typed typed{step, "three lengths X,Y,Z such as 10mm,0,-5"};
   const std::vector<std::string> fields = typed.fields();
   if (fields.size() != 3) {
@@ -83,7 +84,7 @@ void translate(const PlacementArguments::Step& step, Unit unit, Placement& place
   placement.translate(typed.point(fields, 0, unit));
 }
 
-void rotate(const PlacementArguments::Step& step, Unit unit, Placement& placement) {
+void rotate(const PlacementArguments::Step& step, const std::string& unit, Placement& placement) {
   const Typed typed{step,
                     "an axis and degrees AX,AY,AZ,DEGREES, and a point X,Y,Z of the axis if it "
                     "is not the origin, such as 0,0,1,90"};
@@ -132,7 +133,7 @@ void add_placement_options(CLI::App& command, PlacementArguments& arguments) {
       "Change the size, about the origin. All three any number of times,\nin the order given");
 }
 
-Placement placement(const PlacementArguments& arguments, Unit unit) {
+Placement placement(const PlacementArguments& arguments, const std::string& unit) {
   if (arguments.steps.size() > kMostSteps) {
     throw UsageError("there are more than " + std::to_string(kMostSteps) +
                      " of --translate, --rotate and --scale");
@@ -148,10 +149,6 @@ Placement placement(const PlacementArguments& arguments, Unit unit) {
     }
   }
   return placement;
-}
-
-Unit unit_of_mesh(const std::string& stated) {
-  return stated.empty() ? Unit::millimetre : unit_from(stated);
 }
 
 }  // namespace dupin::cli

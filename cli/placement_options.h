@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "dupin/blends/unit.h"
 #include "dupin/kernel/placement.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -31,10 +30,8 @@ struct PlacementArguments {
 /// Adds them; each may be given any number of times.
 void add_placement_options(CLI::App& command, PlacementArguments& arguments);
 
-/// What they do together, lengths in `unit` if they say no other. Throws UsageError.
-[[nodiscard]] Placement placement(const PlacementArguments& arguments, Unit unit);
-
-/// The unit of lengths beside meshes that state this one; millimetres where they state none.
-[[nodiscard]] Unit unit_of_mesh(const std::string& stated);
+/// What they do together, lengths beside coordinates in `unit` (see mesh_length). Throws
+/// UsageError.
+[[nodiscard]] Placement placement(const PlacementArguments& arguments, const std::string& unit);
 
 }  // namespace dupin::cli

@@ -66,9 +66,12 @@ ExitCode report_mesh(const ReportArguments& arguments, const Input& input, const
                      const CommonOptions& common) {
   refuse_tolerance("report, of a mesh,", common);
   if (!arguments.certificate.empty() || arguments.certify || !arguments.connect.empty() ||
-      !arguments.walls.empty() || !arguments.region.empty()) {
-    throw UsageError("--certificate, --certify, --connect, walls and --region are for documents");
+      !arguments.region.empty() || arguments.most_triangles != kUsualTriangles) {
+    throw UsageError(
+        "--certificate, --certify, --connect, --region and --triangles are for documents, and " +
+        input.name + " is a mesh");
   }
+  refuse_of_mesh(input.name, arguments.source, arguments.walls);
   MeshSummary summary{input.name, input.unit(), read_mesh(input.bytes, input.name), {}};
   summary.check = check(summary.mesh);
   std::size_t findings = 0;
@@ -108,7 +111,7 @@ ExitCode report_document(const ReportArguments& arguments, const Input& input,
   Document document = read_document(input, arguments.source, arguments.walls);
   Assembly& assembly = document.assembly;
   if (!common.tolerance.empty()) {
-    assembly.tolerance = length_in(assembly.unit, common.tolerance, 0);
+    assembly.tolerance = document_length("--tolerance", assembly.unit, common.tolerance, 0);
   }
   BuildOptions options;
   options.most_triangles = arguments.most_triangles;

@@ -11,6 +11,7 @@
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "length.h"
+#include "number_range.h"
 
 namespace dupin::cli {
 namespace {
@@ -35,13 +36,13 @@ void add_solver_options(CLI::App& command, SolverArguments& arguments) {
                   "Smallest angle of its triangles in degrees, as far as sharp edges allow;\n"
                   "25 if not given")
       ->type_name("DEGREES")
-      ->check(CLI::Range(0.0, 30.0));
+      ->check(number_range(0, 30));
   command
       .add_option("--sharp", arguments.sharp,
                   "Edges where the surface turns by more are kept, as borders between labels\n"
                   "are; 40 if not given")
       ->type_name("DEGREES")
-      ->check(CLI::Range(1.0, 179.0));
+      ->check(number_range(1, 179));
 }
 
 RemeshOptions solver_options(const SolverArguments& arguments, double distance,

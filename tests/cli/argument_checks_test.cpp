@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "number_range.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -203,6 +204,39 @@ TEST_F(ArgumentChecks, new_versions_are_written_in_place) {
                           {"edit", "d.json", "-o", "d.json", "--translate", "1,0,0"}}) {
     const ProcessResult result = dupin(words);
     EXPECT_EQ(result.exit_code, 0) << testing::PrintToString(words) << result.err;
+  }
+}
+
+TEST(NumberRange, takes_numbers_between_its_ends_and_nothing_else) {
+  const CLI::Validator range = cli::number_range(0, 30);
+  for (std::string typed : {"0", "30", "1e1", "0.5"}) {
+    EXPECT_EQ(range(typed), "") << typed;
+  }
+  for (std::string typed : {"nan", "-nan", "inf", "30.1", "-1", "x", ""}) {
+    EXPECT_EQ(range(typed), "Value " + typed + " not in range 0 - 30");
+  }
+  EXPECT_EQ(range.get_description(), "FLOAT in [0 - 30]");
+}
+
+TEST_F(ArgumentChecks, numbers_are_refused_where_they_are_none) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  const std::string plant = example("reducer.json");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> table = {
+      {"--dpi", {"draw", plant, "-o", "a.png"}},
+      {"--angle", {"remesh", "a.off", "b.off", "--tolerance", "0.1"}},
+      {"--sharp", {"remesh", "a.off", "b.off", "--tolerance", "0.1"}},
+      {"--sharp", {"build", plant, "-o", "a.stl", "--quality", "cfd"}},
+      {"--margin", {"certify", plant, "-o", "c.json"}},
+      {"--margin", {"edit", example("crane-hook.json"), "--twist", "6=1", "-o", "d.json"}},
+      {"--density", {"bom", plant}}};
+  for (const auto& [option, command] : table) {
+    for (const char* const value : {"nan", "inf"}) {
+      std::vector<std::string> arguments = command;
+      arguments.insert(arguments.end(), {option, value});
+      const ProcessResult result = dupin(arguments);
+      EXPECT_EQ(result.exit_code, 2) << command[0] << option << value;
+      EXPECT_THAT(result.err, HasSubstr(option)) << command[0];
+    }
   }
 }
 

@@ -272,7 +272,8 @@ TEST_F(MeshCommands, units_that_files_state_are_kept) {
   const ProcessResult mixed = dupin({"union", "in.3mf", "mm.off", "-o", "mixed.off"});
   EXPECT_EQ(mixed.exit_code, 3);
   EXPECT_THAT(mixed.err, HasSubstr("mm.off"));
-  EXPECT_THAT(mixed.err, HasSubstr("is in mm, but in.3mf in in; convert one of them first"));
+  EXPECT_THAT(mixed.err,
+              HasSubstr("is in mm, but in.3mf in in; convert one of them first, with --to-unit"));
 }
 
 }  // namespace

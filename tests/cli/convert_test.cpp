@@ -77,6 +77,72 @@ TEST_F(MeshCommands, convert_parts_what_readers_of_stl_would_weld) {
   EXPECT_EQ(json({"check", "b.ply"}, 0).at("volume"), 2);
 }
 
+TEST_F(MeshCommands, convert_takes_no_option_that_says_nothing_of_the_input) {
+  put("solid.off", box({0, 0, 0}, {1, 1, 1}));
+  put("open.off", open_box());
+  const std::string graph = example("neuron.swc");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table = {
+      {{"solid.off", "b.off", "--unit", "mm"}, "--unit"},
+      {{"solid.off", "b.off", "--radius", "1"}, "--radius"},
+      {{"solid.off", "b.off", "--snap", "1"}, "--snap"},
+      {{"solid.off", "b.off", "--schedule", "40"}, "--schedule"},
+      {{"solid.off", "b.off", "--fillet", "auto"}, "--fillet"},
+      {{"solid.off", "b.off", "--strict"}, "--strict"},
+      {{"solid.off", "b.off", "--wall", "1"}, "--wall"},
+      {{"solid.off", "b.off", "--insulation", "1"}, "--insulation"},
+      {{"open.off", "b.off", "--origin", "auto"}, "--origin"},
+      {{"open.off", "b.off", "--grid", "0.25"}, "--grid"},
+      {{"open.off", "b.off", "--rounding-tolerance", "1"}, "--rounding-tolerance"},
+      {{"open.off", "b.off", "--scale", "2", "--grid", "0.25"}, "--grid"},
+      {{graph, "b.json", "--origin", "auto"}, "--origin"},
+      {{graph, "b.json", "--grid", "0.25"}, "--grid"},
+      {{graph, "b.json", "--rounding-tolerance", "1"}, "--rounding-tolerance"},
+      {{graph, "b.json", "--verify", "full"}, "--verify"},
+      {{graph, "b.json", "--no-verify"}, "--no-verify"},
+      {{graph, "b.json", "--patches", "p.json"}, "--patches"},
+      {{graph, "b.json", "--to-unit", "in"}, "--to-unit"}};
+  for (const auto& [arguments, option] : table) {
+    std::vector<std::string> command = arguments;
+    command.insert(command.begin(), "convert");
+    const ProcessResult result = dupin(command);
+    EXPECT_EQ(result.exit_code, 2) << option << " of " << arguments[0];
+    EXPECT_THAT(result.err, HasSubstr(option));
+  }
+  for (const std::string command : {"info", "report", "gaps"}) {
+    EXPECT_EQ(dupin({command, "solid.off", "--unit", "mm"}).exit_code, 2) << command;
+  }
+}
+
+TEST_F(MeshCommands, convert_changes_the_unit) {
+  put("a.off", box({0, 0, 0}, {254, 508, 2540}));
+  const auto report = json({"convert", "a.off", "b.off", "--to-unit", "in"}, 0);
+  EXPECT_EQ(report.at("check").at("volume"), 20000);
+  EXPECT_EQ(json({"info", "b.off"}, 0).at("unit"), "in");
+  EXPECT_EQ(json({"convert", "b.off", "c.3mf", "--to-unit", "um"}, 0).at("check").at("solid"),
+            true);
+  EXPECT_EQ(json({"info", "c.3mf"}, 0).at("unit"), "um");
+  EXPECT_EQ(json({"info", "c.3mf"}, 0).at("box"),
+            (nlohmann::json{{0, 0, 0}, {254000, 508000, 2540000}}));
+  (void)json({"convert", "c.3mf", "d.off", "--translate", "1mm,2,0", "--to-unit", "mm"}, 0);
+  EXPECT_EQ(json({"info", "d.off"}, 0).at("box")[0], (nlohmann::json{1, 0.002, 0}));
+  (void)json({"convert", "b.off", "b2.off", "--to-unit", "in"}, 0);
+  EXPECT_EQ(folder_.read("b2.off"), folder_.read("b.off"));
+  folder_.write("e.off", "OFF\n# unit: mm\n" + folder_.read("a.off").substr(4));
+  EXPECT_EQ(dupin({"union", "b.off", "e.off", "-o", "f.off"}).exit_code, 3);
+  EXPECT_EQ(dupin({"convert", "e.off", "g.off", "--to-unit", "in"}).exit_code, 0);
+  EXPECT_EQ(dupin({"union", "b.off", "g.off", "-o", "f.off"}).exit_code, 0);
+}
+
+TEST_F(MeshCommands, microns_are_a_unit_of_meshes) {
+  put("a.off", box({0, 0, 0}, {1000, 2000, 3000}));
+  folder_.write("a.off", "OFF\n# unit: um\n" + folder_.read("a.off").substr(4));
+  (void)json({"convert", "a.off", "b.off", "--translate", "1mm,5um,7"}, 0);
+  EXPECT_EQ(json({"info", "b.off"}, 0).at("box")[0], (nlohmann::json{1000, 5, 7}));
+  EXPECT_EQ(dupin({"simplify", "a.off", "c.off", "--tolerance", "1um"}).exit_code, 0);
+  EXPECT_EQ(dupin({"remesh", "a.off", "c.off", "--tolerance", "0.1mm"}).exit_code, 0);
+  EXPECT_EQ(dupin({"convert", "a.off", "c.off", "--grid", "2"}).exit_code, 0);
+}
+
 // Said beside a graph, too, and not dropped.
 TEST_F(MeshCommands, writes_the_wall_of_a_graph) {
   const ProcessResult result =

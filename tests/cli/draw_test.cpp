@@ -11,6 +11,31 @@ using testing::HasSubstr;
 
 using Draw = Tool;
 
+TEST_F(Draw, takes_as_many_triangles_as_it_is_told) {
+  const ProcessResult few =
+      dupin({"draw", example("reducer.json"), "-o", "a.svg", "--triangles", "1000"});
+  EXPECT_EQ(few.exit_code, 3);
+  EXPECT_THAT(few.err, HasSubstr("or a higher limit"));
+  EXPECT_EQ(dupin({"bom", example("reducer.json"), "--mesh", "--triangles", "1000"}).exit_code, 3);
+  EXPECT_EQ(dupin({"bom", example("reducer.json"), "--triangles", "1000"}).exit_code, 2);
+}
+
+TEST_F(Draw, an_option_out_of_range_is_blamed_and_not_the_document) {
+  const std::vector<std::pair<std::string, std::string>> outputs = {{"draw", "a.svg"},
+                                                                    {"build", "a.stl"},
+                                                                    {"certify", "a.json"},
+                                                                    {"nurbs", "a.json"},
+                                                                    {"report", "a.html"}};
+  for (const auto& [command, output] : outputs) {
+    const ProcessResult result =
+        dupin({command, example("reducer.json"), "-o", output, "--tolerance", "1e-30"});
+    EXPECT_EQ(result.exit_code, 2) << command;
+    EXPECT_THAT(result.err, HasSubstr("--tolerance 1e-30 is out of range")) << command;
+  }
+  EXPECT_THAT(dupin({"bom", example("reducer.json"), "--wall", "1e-30"}).err,
+              HasSubstr("--wall 1e-30 is out of range"));
+}
+
 TEST_F(Draw, writes_the_outline_to_scale) {
   const auto report = json({"draw", example("tee.json"), "-o", "tee.svg", "--hidden"}, 0);
   EXPECT_EQ(report.at("file"), "tee.svg");

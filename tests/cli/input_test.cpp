@@ -56,7 +56,8 @@ TEST(Input, units_that_are_stated_must_agree) {
     (void)common_unit({off("a", mesh, "mm"), off("b", mesh), off("c", mesh, "in")});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "c: is in in, but a in mm; convert one of them first");
+    EXPECT_STREQ(error.what(),
+                 "c: is in in, but a in mm; convert one of them first, with --to-unit");
   }
 }
 

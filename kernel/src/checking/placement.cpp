@@ -194,15 +194,19 @@ void Placement::rotate(const Vec3& axis, double degrees, const Vec3& about) {
   steps_.push_back({.shift = 2 * about.stableNorm(), .turn_error = q.is_exact ? 0 : kTurnError});
 }
 
-void Placement::scale(double factor) {
-  if (!std::isfinite(factor) || !(factor > 0)) {
+void Placement::scale(double factor) { scale(factor, 1); }
+
+void Placement::scale(double factor, double divisor) {
+  const auto is_factor = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!is_factor(factor) || !is_factor(divisor)) {
     refuse("a size changes by a positive factor");
   }
-  size_ *= factor;
+  const mpq_class ratio = mpq_class(factor) / mpq_class(divisor);
+  size_ *= ratio;
   for (mpq_class& coordinate : shift_) {
-    coordinate *= factor;
+    coordinate *= ratio;
   }
-  steps_.push_back({.factor = factor});
+  steps_.push_back({.factor = factor / divisor});
 }
 
 Placement::Point Placement::place(const Vec3& point) const {

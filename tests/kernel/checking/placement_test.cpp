@@ -28,6 +28,16 @@ Placement turned(const Vec3& axis, double degrees, const Vec3& about = Vec3::Zer
   return placement;
 }
 
+TEST(Placement, sizes_change_by_ratios_as_they_are) {
+  Placement placement;
+  placement.scale(10, 254);
+  EXPECT_EQ(placement.place({25.4, 254, 0})[1], 10);
+  EXPECT_EQ(placement.scaled(1), mpq_class(5, 127));
+  EXPECT_TRUE(placement.is_exact());
+  EXPECT_THROW(placement.scale(1, 0), Error);
+  EXPECT_THROW(placement.scale(1, std::nan("")), Error);
+}
+
 TEST(Placement, quarter_turns_are_exact_in_whatever_way_they_are_typed) {
   const Vec3 p(0.1, 0.2, 0.3);
   const mpq_class x(0.1), y(0.2), z(0.3);

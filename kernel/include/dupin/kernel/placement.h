@@ -30,6 +30,8 @@ class Placement {
   void translate(const Vec3& by);
   void rotate(const Vec3& axis, double degrees, const Vec3& about = Vec3::Zero());
   void scale(double factor);
+  /// By a ratio, which is taken as it is: 10 / 254 is no double.
+  void scale(double factor, double divisor);
 
   [[nodiscard]] Point place(const Vec3& point) const;
   [[nodiscard]] Point turn(const Vec3& direction) const;
