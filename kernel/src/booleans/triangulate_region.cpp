@@ -49,24 +49,30 @@ std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
   return result;
 }
 
-// In rounds of random points, each twice as large as all before and along a curve that fills the
-// plane: a search starts near its end, in a triangulation of which nothing is known (N. Amenta,
-// S. Choi, G. Rote, Incremental constructions con BRIO, 2003).
-void order_for_insertion(std::span<const Vec2> points, const Eigen::AlignedBox2d& box,
-                         std::vector<std::uint32_t>& corners) {
-  struct Keyed {
-    std::uint64_t place;
-    std::uint32_t corner;
-    auto operator<=>(const Keyed&) const = default;
-  };
-  std::vector<Keyed> order;
-  order.reserve(corners.size());
+// A corner by its place along a curve that fills the plane.
+struct Keyed {
+  std::uint64_t place;
+  std::uint32_t corner;
+  auto operator<=>(const Keyed&) const = default;
+};
+
+std::vector<Keyed> keyed(std::span<const Vec2> points, const Eigen::AlignedBox2d& box,
+                         std::span<const std::uint32_t> corners) {
+  std::vector<Keyed> result;
+  result.reserve(corners.size());
   for (const std::uint32_t corner : corners) {
     const Vec2& point = points[corner];
-    order.push_back({interleaved(share(point.x(), box.min().x(), box.max().x()),
-                                 share(point.y(), box.min().y(), box.max().y())),
-                     corner});
+    result.push_back({interleaved(share(point.x(), box.min().x(), box.max().x()),
+                                  share(point.y(), box.min().y(), box.max().y())),
+                      corner});
   }
+  return result;
+}
+
+// In rounds of random points, each twice as large as all before and along the curve: a search
+// starts near its end, in a triangulation of which nothing is known (N. Amenta, S. Choi, G. Rote,
+// Incremental constructions con BRIO, 2003).
+void order_for_insertion(std::vector<Keyed>& order) {
   std::mt19937 random(1);
   for (std::size_t i = order.size(); i > 1; --i) {
     std::swap(order[i - 1], order[random() % i]);
@@ -76,7 +82,6 @@ void order_for_insertion(std::span<const Vec2> points, const Eigen::AlignedBox2d
     std::ranges::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end));
     end = begin;
   }
-  std::ranges::transform(order, corners.begin(), &Keyed::corner);
 }
 
 // What refuses to make a point where sides cross, or a side where there are two.
@@ -109,8 +114,9 @@ class RegionTriangulation::Region {
     for (const std::uint32_t corner : corners) {
       box_.extend(points[corner]);
     }
-    order_for_insertion(points, box_, corners);
-    start(points, corners);
+    std::vector<Keyed> order = keyed(points, box_, corners);
+    order_for_insertion(order);
+    start(points, order);
     constrain(polygons);
   }
 
@@ -118,13 +124,19 @@ class RegionTriangulation::Region {
     const std::size_t before = places_.size();
     std::ranges::for_each(points, [&](const Vec2& point) { note_place(point); });
     refuse_coincident(before);
-    const arrangement::UpwardRounding rounding;
-    for (const Vec2& point : points) {
-      if (box_.contains(point)) {  // no other can lie within the region
-        insert(append(point, std::uint32_t(given_)));
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (box_.contains(points[i])) {  // no other can lie within the region
+        corners.push_back(i);
       }
-      ++given_;
     }
+    std::vector<Keyed> order = keyed(points, box_, corners);
+    std::ranges::sort(order);
+    const arrangement::UpwardRounding rounding;
+    for (const auto& [place, i] : order) {
+      insert(append(points[i], std::uint32_t(given_ + i)));
+    }
+    given_ += points.size();
     refuse_broken_sides();
   }
 
@@ -173,11 +185,11 @@ class RegionTriangulation::Region {
     return vertex;
   }
 
-  void start(std::span<const Vec2> points, const std::vector<std::uint32_t>& corners) {
+  void start(std::span<const Vec2> points, std::span<const Keyed> order) {
     const arrangement::UpwardRounding rounding;
     std::vector<PointId> ids;
-    ids.reserve(corners.size());
-    for (const std::uint32_t corner : corners) {
+    ids.reserve(order.size());
+    for (const auto& [place, corner] : order) {
       ids.push_back(append(points[corner], corner));
     }
     triangulation_.clear({2, 1});
