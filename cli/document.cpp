@@ -135,13 +135,19 @@ void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,
   }
 }
 
-void require_meshes_not_written(const Assembly& assembly) {
+std::vector<std::string> meshes_beside(const Assembly& assembly) {
   const std::filesystem::path folder = std::filesystem::path(assembly.source).parent_path();
+  std::vector<std::string> meshes;
   for (const Part& part : assembly.parts) {
     for (const std::string& file : meshes_avoided_by(part.shape)) {
-      require_not_written((folder / file).string());
+      meshes.push_back((folder / file).string());
     }
   }
+  return meshes;
+}
+
+void require_meshes_not_written(const Assembly& assembly) {
+  std::ranges::for_each(meshes_beside(assembly), require_not_written);
 }
 
 Assembly read_document(const std::string& path) {

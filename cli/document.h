@@ -51,6 +51,9 @@ struct WallArguments {
 void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,
                     const WallArguments& walls = {});
 
+/// The meshes that its parts avoid, where they are found.
+[[nodiscard]] std::vector<std::string> meshes_beside(const Assembly& assembly);
+
 /// No output may take the place of the meshes that a document names, which read_document asks of
 /// it. Throws UsageError.
 void require_meshes_not_written(const Assembly& assembly);

@@ -14,6 +14,8 @@
 #include "build_arguments.h"
 #include "child_process.h"
 #include "commands.h"
+#include "document.h"
+#include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/avoided_meshes.h"
 #include "dupin/io/report_json.h"
@@ -125,13 +127,24 @@ class WatchedFile {
   int looks_ = 0;                      ///< since it was compared
 };
 
-/// The meshes that a document avoids, where it finds them.
-std::vector<WatchedFile> meshes_beside(const std::string& document) {
+/// The meshes that a document avoids, where it finds them. What their names have variables for is
+/// known where all of them can be read.
+std::vector<WatchedFile> watched_meshes(const std::string& document) {
   std::vector<WatchedFile> meshes;
   const std::filesystem::path folder = std::filesystem::path(document).parent_path();
+  bool has_variables = false;
   try {
-    for (const std::string& mesh : avoided_meshes(read_file(document))) {
+    const std::string text = read_file(document);
+    for (const std::string& mesh : avoided_meshes(text)) {
       meshes.emplace_back((folder / mesh).string());
+      has_variables = has_variables || mesh.find('{') != std::string::npos;
+    }
+    if (has_variables) {
+      const Assembly assembly = parse_assembly(text, document);
+      meshes.clear();
+      for (const std::string& mesh : meshes_beside(assembly)) {
+        meshes.emplace_back(mesh);
+      }
     }
   } catch (const Error&) {  // it cannot be read, which the build will say
   }
@@ -183,7 +196,7 @@ class Watch {
   void start() {
     child_.reset();
     document_.set_built();
-    meshes_ = meshes_beside(item_.file);
+    meshes_ = watched_meshes(item_.file);
     std::ranges::for_each(meshes_, &WatchedFile::set_built);
     child_ = std::make_unique<ChildProcess>(build_, json_);
   }

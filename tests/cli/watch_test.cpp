@@ -64,7 +64,13 @@ TEST_F(Watch, builds_again_when_a_mesh_that_the_document_avoids_changes) {
       {"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
       {"name": "b", "pipe": {"from": [60, 0, 0], "to": [61, 0, 0], "radius": 1}},
       {"name": "r", "spline": {"from": "a.end", "to": "b.start", "through": [], "clearance": 1,
-                               "avoid": [{"mesh": "m.off"}]}}]})");
+                               "avoid": [{"mesh": "m.off"}]}},
+      {"name": "c", "pipe": {"from": [0, 40, 0], "to": [1, 40, 0], "radius": 1}},
+      {"name": "d", "pipe": {"from": [60, 40, 0], "to": [61, 40, 0], "radius": 1}},
+      {"for": {"i": 1}, "parts": [
+          {"name": "s{i}", "spline": {"from": "c.end", "to": "d.start", "through": [],
+                                      "clearance": 1, "avoid": [{"mesh": "k{i}.off"}]}}]}]})");
+  put("k0.off", box({25, 50, -1}, {30, 52, 1}));
   put("m.off", box({25, -1, -1}, {30, 1, 1}));
   put("n.off", box({25, -1, -1}, {30, 6, 1}));
   const ProcessResult result =
@@ -74,6 +80,7 @@ TEST_F(Watch, builds_again_when_a_mesh_that_the_document_avoids_changes) {
             "mv n.off m.off; until_ '! cmp -s a.off first' || exit 11; "
             "rm m.off; until_ 'grep -q m.off err' || exit 12; "
             "cp m m.off; until_ 'cmp -s a.off first' || exit 13; "
+            "rm k0.off; until_ 'grep -q k0.off err' || exit 14; "
             "kill -TERM $pid; wait $pid; true");
   EXPECT_EQ(result.exit_code, 0) << result.err << folder_.read("err") << folder_.read("out");
 }
