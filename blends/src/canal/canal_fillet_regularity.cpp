@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "canal/ball_on_cylinders.h"
 #include "canal/stretch.h"
 #include "dupin/blends/canal_fillet.h"
 
@@ -100,12 +101,12 @@ CanalRegularity conclusion(std::priority_queue<Leaf> leaves, Verdict verdict) {
   return result;
 }
 
-}  // namespace
-
-CanalRegularity prove_regular(const CanalFillet& fillet) {
+/// By halving where the bound is lowest.
+template <class BoundsAt>
+CanalRegularity search(const BoundsAt& bounds_at) {
   std::priority_queue<Leaf> leaves;
   const auto add = [&](double from, double to) {
-    leaves.push({{from, to}, bounds(fillet, {from, to})});
+    leaves.push({{from, to}, bounds_at(ParameterInterval{from, to})});
   };
   for (int quarter = -2; quarter < 2; ++quarter) {
     add(quarter * std::numbers::pi / 2, (quarter + 1) * std::numbers::pi / 2);
@@ -117,7 +118,7 @@ CanalRegularity prove_regular(const CanalFillet& fillet) {
     const double length = worst.at.to - worst.at.from, middle = worst.at.from + length / 2;
     const bool proved = worst.bounds.proved();
     if (!proved || length < shortest) {
-      const Bounds point = bounds(fillet, {middle, middle});
+      const Bounds point = bounds_at(ParameterInterval{middle, middle});
       if (point.refuted()) {
         return {Verdict::refuted,
                 point.regularity.upper,
@@ -138,6 +139,20 @@ CanalRegularity prove_regular(const CanalFillet& fillet) {
     add(worst.at.from, middle);
     add(middle, worst.at.to);
   }
+}
+
+}  // namespace
+
+CanalRegularity prove_regular(const CanalFillet& fillet) {
+  if (const auto ball = canal::BallOnCylinders::of(fillet)) {
+    const CanalRegularity quick = search([&](const ParameterInterval& at) {
+      return Bounds{ball->least_regularity(at), ball->radius()};
+    });
+    if (quick.verdict != Verdict::undecided && quick.leaves < kMostLeaves) {
+      return quick;
+    }
+  }
+  return search([&](const ParameterInterval& at) { return bounds(fillet, at); });
 }
 
 }  // namespace dupin
