@@ -135,7 +135,7 @@ Interval BallOnCylinders::error_of_normal(std::size_t i, const Ring& stored) con
 }
 
 std::optional<BallOnCylinders> BallOnCylinders::of(const CanalFillet& fillet) {
-  constexpr double kShows = 0x1p-30;  // all others are proved by derivatives
+  constexpr double kShows = 0x1p-24;  // all others are proved by derivatives
   std::optional<BallOnCylinders> result;
   if (const auto* through = std::get_if<RollingThrough>(&fillet.motion)) {
     result = BallOnCylinders(*through);

@@ -41,7 +41,8 @@ struct Bounds {
 /// Of `least_regularity` and the radius. Where the ball grows as fast as it moves, none of it is
 /// regular.
 Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
-  const BallJet<canal::Jet<Interval>> ball = canal::balls(fillet, at);
+  constexpr std::size_t kOrders = 4;  // more narrow the stretches by less than they take
+  const BallJet<canal::Jet<Interval>> ball = canal::balls_by_series<kOrders>(fillet, at);
   const auto& [x, y, z] = ball.center;
   const IntervalVec center{x.value, y.value, z.value}, velocity{x.rate, y.rate, z.rate};
   const IntervalVec bend{x.acceleration, y.acceleration, z.acceleration};
@@ -52,15 +53,16 @@ Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
     return {Interval(Interval::whole().lower, envelops.upper <= 0 ? 0 : Interval::whole().upper),
             radius};
   }
-  const Interval constant = envelops - radius * ball.radius.acceleration;
+  // What the regularity is less than 1 by, times the speed's square, where the arc goes straight.
+  const Interval constant = square(rate) + radius * ball.radius.acceleration;
   std::array<IntervalVec, 2> normals;
   std::array<Interval, 2> ends, turns;
   for (std::size_t i = 0; i < 2; ++i) {
     normals[i] = normal_at_foot(fillet.quadrics[i], center, radius);
-    ends[i] = constant + radius * dot(bend, normals[i]);
+    ends[i] = constant - radius * dot(bend, normals[i]);
     turns[i] = dot(cross(velocity, normals[i]), bend);
   }
-  Interval least = min(ends[0], ends[1]);
+  Interval most = max(ends[0], ends[1]);
   // The least is inside the arc only if it falls at the first foot and rises at the second, as one
   // goes along the arc, whose sense is the sign of the normals' determinant with the velocity.
   const Interval sense = dot(cross(velocity, normals[0]), normals[1]);
@@ -73,13 +75,13 @@ Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
   }
   if (possible) {
     const Interval lag = rate / sqrt(speed_squared);
-    const Interval valley = constant + radius * rate * dot(bend, velocity) / speed_squared -
+    const Interval valley = constant - radius * rate * dot(bend, velocity) / speed_squared +
                             radius * sqrt(Interval(1) - square(lag)) * norm(cross(bend, velocity)) /
                                 sqrt(speed_squared);
-    least = {std::min(least.lower, valley.lower),
-             certain ? std::min(least.upper, valley.upper) : least.upper};
+    most = {certain ? std::max(most.lower, valley.lower) : most.lower,
+            std::max(most.upper, valley.upper)};
   }
-  return {least / speed_squared, radius};
+  return {Interval(1) - most / speed_squared, radius};
 }
 
 struct Leaf {

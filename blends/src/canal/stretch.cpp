@@ -34,12 +34,7 @@ BallJet<Jet<Interval>> balls(const CanalFillet& fillet, const ParameterInterval&
                       fillet.motion);
   }
   constexpr std::size_t kOrders = 7;
-  const auto series = ball_series<kOrders>(fillet, at, at);
-  const auto jet = [](const CenteredSeries<kOrders>& s) {
-    return Jet<Interval>(s.all.at[0], s.all.at[1], Interval(2) * s.all.at[2]);
-  };
-  return {{jet(series.center[0]), jet(series.center[1]), jet(series.center[2])},
-          jet(series.radius)};
+  return balls_by_series<kOrders>(fillet, at);
 }
 
 }  // namespace canal

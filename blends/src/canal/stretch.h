@@ -44,6 +44,18 @@ template <std::size_t n>
       fillet.motion);
 }
 
+/// The balls there, told by n - 1 derivatives.
+template <std::size_t n>
+[[nodiscard]] BallJet<Jet<numbers::Interval>> balls_by_series(const CanalFillet& fillet,
+                                                              const ParameterInterval& at) {
+  const auto series = ball_series<n>(fillet, at, at);
+  const auto jet = [](const CenteredSeries<n>& s) {
+    return Jet<numbers::Interval>(s.all.at[0], s.all.at[1], numbers::Interval(2) * s.all.at[2]);
+  };
+  return {{jet(series.center[0]), jet(series.center[1]), jet(series.center[2])},
+          jet(series.radius)};
+}
+
 /// The balls there.
 [[nodiscard]] BallJet<Jet<numbers::Interval>> balls(const CanalFillet& fillet,
                                                     const ParameterInterval& at);
