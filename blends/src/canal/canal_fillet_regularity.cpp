@@ -4,6 +4,7 @@
 #include <numbers>
 #include <queue>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "canal/ball_on_cylinders.h"
@@ -42,7 +43,10 @@ struct Bounds {
 /// regular.
 Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
   constexpr std::size_t kOrders = 4;  // more narrow the stretches by less than they take
-  const BallJet<canal::Jet<Interval>> ball = canal::balls_by_series<kOrders>(fillet, at);
+  const bool on_cylinders = std::holds_alternative<RollingThrough>(fillet.motion) ||
+                            std::holds_alternative<RollingPartly>(fillet.motion);
+  const BallJet<canal::Jet<Interval>> ball =
+      on_cylinders ? canal::balls(fillet, at) : canal::balls_by_series<kOrders>(fillet, at);
   const auto& [x, y, z] = ball.center;
   const IntervalVec center{x.value, y.value, z.value}, velocity{x.rate, y.rate, z.rate};
   const IntervalVec bend{x.acceleration, y.acceleration, z.acceleration};
@@ -103,6 +107,29 @@ CanalRegularity conclusion(std::priority_queue<Leaf> leaves, Verdict verdict) {
   return result;
 }
 
+CanalRegularity refuted(const Bounds& point, double parameter, std::size_t leaves) {
+  return {
+      Verdict::refuted, point.regularity.upper, point.radius.upper, {parameter, parameter}, leaves};
+}
+
+double middle_of(const ParameterInterval& at) { return at.from + (at.to - at.from) / 2; }
+
+/// Where bounds are lowest need not be where it folds: all other places are looked at before it is
+/// left undecided.
+template <class BoundsAt>
+CanalRegularity last_looks(const std::priority_queue<Leaf>& leaves, const BoundsAt& bounds_at) {
+  for (auto rest = leaves; !rest.empty(); rest.pop()) {
+    const double place = middle_of(rest.top().at);
+    if (!rest.top().bounds.proved()) {
+      const Bounds point = bounds_at(ParameterInterval{place, place});
+      if (point.refuted()) {
+        return refuted(point, place, leaves.size());
+      }
+    }
+  }
+  return conclusion(leaves, Verdict::undecided);
+}
+
 /// By halving where the bound is lowest.
 template <class BoundsAt>
 CanalRegularity search(const BoundsAt& bounds_at) {
@@ -117,16 +144,12 @@ CanalRegularity search(const BoundsAt& bounds_at) {
   double shortest = std::numeric_limits<double>::infinity();  // of the proved leaves looked into
   while (true) {
     const Leaf worst = leaves.top();
-    const double length = worst.at.to - worst.at.from, middle = worst.at.from + length / 2;
+    const double length = worst.at.to - worst.at.from, middle = middle_of(worst.at);
     const bool proved = worst.bounds.proved();
     if (!proved || length < shortest) {
       const Bounds point = bounds_at(ParameterInterval{middle, middle});
       if (point.refuted()) {
-        return {Verdict::refuted,
-                point.regularity.upper,
-                point.radius.upper,
-                {middle, middle},
-                leaves.size()};
+        return refuted(point, middle, leaves.size());
       }
       sampled = std::min(sampled, point.regularity.upper);
       shortest = proved ? length : shortest;
@@ -135,7 +158,8 @@ CanalRegularity search(const BoundsAt& bounds_at) {
       return conclusion(std::move(leaves), Verdict::proved);
     }
     if (leaves.size() >= kMostLeaves || !(worst.at.from < middle && middle < worst.at.to)) {
-      return conclusion(std::move(leaves), proved ? Verdict::proved : Verdict::undecided);
+      return proved ? conclusion(std::move(leaves), Verdict::proved)
+                    : last_looks(leaves, bounds_at);
     }
     leaves.pop();
     add(worst.at.from, middle);
