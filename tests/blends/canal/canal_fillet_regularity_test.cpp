@@ -125,5 +125,24 @@ TEST(ProveRegular, RefutesATightConstantBall) {
   EXPECT_TRUE(seen);
 }
 
+// The second one all but touches the first from inside, within 2e-11: where the ball turns sharply
+// bounds stay lowest, and it folds elsewhere.
+TEST(ProveRegular, RefutesFoldsThatAreNotWhereBoundsAreLowest) {
+  const Ring one{{-0.39030939612351878, 1.8529161189017982, 1.5812821819215592},
+                 {0.015981412062650649, -0.99986545193264409, 0.0036976343806694794},
+                 9.6046264285854974,
+                 0};
+  const Ring two{{-8.5855106680646038, -18.803489808967154, 6.2805057539561835},
+                 {0.096171215311831315, 0.94396655228497894, -0.31571861762122216},
+                 3.1264786748352709,
+                 0};
+  const std::vector<CanalFillet> loops = rolling_ball_fillets({one, two}, 1.3962363459226481);
+  ASSERT_EQ(loops.size(), 2);
+  for (const CanalFillet& fillet : loops) {
+    EXPECT_LT(sampled(fillet).regularity, 0);
+    EXPECT_EQ(prove_regular(fillet).verdict, Verdict::refuted);
+  }
+}
+
 }  // namespace
 }  // namespace dupin
