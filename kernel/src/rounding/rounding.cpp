@@ -224,8 +224,8 @@ class Rounding {
     return repaired_further(*repair, reach, broken_pairs);
   }
 
-  /// Cuts what crosses itself all over. None if there is less, or if a shell would come apart, or
-  /// something move farther than edits may before they give way to a cut.
+  /// Cuts what crosses itself all over. None if there is less, or if a shell would come apart or
+  /// touch itself, or something move farther than edits may before they give way to a cut.
   std::optional<Rounded> cut_at_once(const std::vector<Fault>& broken_pairs) {
     if (lattice_.holds_doubles() || past_.snaps > 0 ||
         !is_full_of_crossings({doubles(), exact_.triangles, broken_pairs}, step_)) {
@@ -233,7 +233,8 @@ class Rounding {
     }
     try {
       auto done = cut_at(merged_and_rounded(whole(), broken_pairs));
-      if (done && done->report().largest_move <= past_.distance() + kSnapReach * step_) {
+      if (done && done->contacts_.size() <= exact_.contacts.size() &&
+          done->report().largest_move <= past_.distance() + kSnapReach * step_) {
         return done;
       }
     } catch (const Error& error) {
