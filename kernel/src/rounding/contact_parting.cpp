@@ -201,13 +201,13 @@ std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) con
   if (!(options.tolerance > 0)) {
     return std::nullopt;
   }
-  const auto cut = without_self_crossings(surface.mesh(), surface.sources(), attempt.faults());
-  if (!cut) {
+  const auto solid = without_self_crossings(surface.mesh(), surface.sources(), attempt.faults());
+  if (!solid) {
     return std::nullopt;
   }
   try {
     Rounded again =
-        to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(cut->solid)), coordinates_, options);
+        to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(*solid)), coordinates_, options);
     for (Contact& contact : again.contacts_) {
       contact.from += before.origin;
       contact.to += before.origin;

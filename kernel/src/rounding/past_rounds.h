@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
@@ -20,7 +19,6 @@ struct PastRounds {
   double void_width = 0;      ///< of the widest filled void
   double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
   bool has_filled_slits = false, has_filled_voids = false;
-  bool is_cut = false;  ///< where it had faults, instead of being repaired
   int thickenings = 0, snaps = 0;
   double moved = 0;              ///< by what was thickened or snapped
   std::size_t moved_points = 0;  ///< likewise
@@ -38,9 +36,6 @@ struct PastRounds {
   /// triangles cross may round to what it was: then edits reach farther each time before the next.
   [[nodiscard]] double snap_reach() const {
     return std::ldexp(kSnapReach, 2 * std::max(0, idle_snaps - 1));
-  }
-  void fill(std::span<const Vec3> places) {
-    filled_places.insert(filled_places.end(), places.begin(), places.end());
   }
   /// Of a surface with so many broken triangles.
   void count_snap(std::size_t broken) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "exact/float_lattice.h"
@@ -20,7 +19,6 @@
 /// ends that nearly meet (open_slits.h); what still is broken is copied with its surroundings
 /// (edits/mesh_part.h), edited (edits/edited_mesh.h) as edits/edit_strategy.h says, with growing
 /// reach, and put back. What that leaves is cut at itself (self_crossings.h), and all begins again.
-/// Where crossings are all over (broken_share.h) that comes first, as long as shells stay whole.
 namespace dupin::rounding {
 
 /// The points of an exact mesh, less an origin, correctly rounded.
@@ -33,12 +31,6 @@ struct RoundedPoints {
   double largest = 0, largest_on_lattice = 0;  ///< coordinates, in absolute value
   double largest_move = 0;                     ///< from nearest doubles to the lattice
 };
-
-/// That such coordinates can have.
-[[nodiscard]] constexpr double largest_number(Coordinates coordinates) {
-  return coordinates == Coordinates::binary64 ? std::numeric_limits<double>::max()
-                                              : std::numeric_limits<float>::max();
-}
 
 [[nodiscard]] RoundedPoints round_points(const mesh::ExactMesh& mesh,
                                          const exact::FloatLattice& lattice, const Vec3& origin);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include <tbb/parallel_invoke.h>
@@ -13,7 +14,6 @@
 #include "dupin/kernel/parallel.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "rounding/broken_share.h"
 #include "rounding/edits/edit_strategy.h"
 #include "rounding/edits/first_repair.h"
 #include "rounding/edits/mesh_part.h"
@@ -37,8 +37,16 @@ namespace {
 /// The first attempt at repair reaches 4 steps of the lattice, each further one 4 times as far.
 constexpr double kReachGrowth = 4;
 
+/// So many faults are no accident of single points: open slits are looked for before repair.
+constexpr std::size_t kManyFaults = 256;
+
 /// Sliver voids and open slits are filled where narrower: what is wider, the format can tell.
 constexpr double kWidestSlit = 64;  // steps
+
+/// So many triangles of which rounding leaves nothing, and such a part of all, are no accident
+/// either: what is thinner than a step is thickened first. One in so many is looked at.
+constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
+constexpr double kNeedlePart = 1.0 / 32;
 
 /// Where repair with some reach leaves faults (PastRounds::snap_reach), or with less finds that
 /// going on is not worth it, the surface is made a solid again as it is; and that at most so often.
@@ -59,7 +67,7 @@ class Rounding {
                                                     : chosen_origin(options, exact.points)),
         rounded_(round_points(exact, lattice_, origin_)),
         representatives_(mesh::representatives_at_contacts(exact)) {
-    if (!(rounded_.largest_on_lattice <= largest_number(coordinates))) {
+    if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
                   "coordinates exceed the range of binary32; use a format that holds doubles");
     }
@@ -94,9 +102,6 @@ class Rounding {
   }
 
   Rounded run() {
-    if (past_.is_cut) {
-      return run_after_cut();
-    }
     if (auto done = thickened()) {
       return std::move(*done);
     }
@@ -149,13 +154,29 @@ class Rounding {
     return shell_of_;
   }
 
+  [[nodiscard]] double largest_number() const {
+    return coordinates_ == Coordinates::binary64 ? std::numeric_limits<double>::max()
+                                                 : std::numeric_limits<float>::max();
+  }
+
+  [[nodiscard]] bool is_full_of_needles() const {
+    std::size_t needles = 0;
+    for (std::size_t f = 0; f < exact_.triangles.size(); f += kSampled) {
+      const auto& [a, b, c] = exact_.triangles[f];
+      const std::vector<Vec3>& points = rounded_.on_lattice;
+      needles += points[a] == points[b] || points[b] == points[c] || points[c] == points[a] ? 1 : 0;
+    }
+    const auto all = static_cast<double>(exact_.triangles.size());
+    return needles >= kManyNeedles && static_cast<double>(needles * kSampled) >= kNeedlePart * all;
+  }
+
   /// Where parts nearly coincide, a union has more triangles thinner than a step than others, and
   /// rounding folds them over one another. They are collapsed before, among doubles, where they
   /// are not in each other's way, once, and once after slits are filled. None if there are few, or
   /// if that does not do.
   std::optional<Rounded> thickened() {
     if (lattice_.holds_doubles() || past_.thickenings > (past_.has_filled_slits ? 1 : 0) ||
-        !is_full_of_needles(rounded_.on_lattice, exact_.triangles)) {
+        !is_full_of_needles()) {
       return std::nullopt;
     }
     if (past_.has_filled_slits) {
@@ -190,8 +211,7 @@ class Rounding {
     } else {
       past.snapped_places.emplace_back(mesh.point(mesh.triangle(alive[broken[0]])[0]) +
                                        past.origin);
-      auto cut = without_self_crossings(surface.mesh(), surface.sources(), left);
-      solid = cut ? std::optional(std::move(cut->solid)) : std::nullopt;
+      solid = without_self_crossings(surface.mesh(), surface.sources(), left);
     }
     return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
                  : std::nullopt;
@@ -207,10 +227,8 @@ class Rounding {
         return std::move(*done);
       }
     }
-    if (auto done = cut_at_once(broken_pairs)) {
-      return std::move(*done);
-    }
-    const double reach = std::min(kReachGrowth * step_, tolerance_ - past_.distance());
+    const double farthest = tolerance_ - past_.distance();
+    double reach = std::min(kReachGrowth * step_, farthest);
     auto repair = first_repair_in_part(whole(), broken, broken_pairs, limits(reach), step_);
     if (repair && repair->part) {
       if (auto done = spliced(*repair, reach)) {
@@ -221,71 +239,18 @@ class Rounding {
     if (!repair) {
       repair = first_repair(whole(), broken, broken_pairs, limits(reach));
     }
-    return repaired_further(*repair, reach, broken_pairs);
-  }
-
-  /// Cuts what crosses itself all over. None if there is less, or if a shell would come apart or
-  /// touch itself, or something move farther than edits may before they give way to a cut.
-  std::optional<Rounded> cut_at_once(const std::vector<Fault>& broken_pairs) {
-    if (lattice_.holds_doubles() || past_.snaps > 0 ||
-        !is_full_of_crossings({doubles(), exact_.triangles, broken_pairs}, step_)) {
-      return std::nullopt;
-    }
-    try {
-      auto done = cut_at(merged_and_rounded(whole(), broken_pairs));
-      if (done && done->contacts_.size() <= exact_.contacts.size() &&
-          done->report().largest_move <= past_.distance() + kSnapReach * step_) {
-        return done;
-      }
-    } catch (const Error& error) {
-      if (error.code() != Errc::unroundable) {
-        throw;
-      }
-    }
-    past_.is_cut = false;
-    return std::nullopt;
-  }
-
-  /// Rounds what has been cut, which has many edges too short for the format.
-  Rounded run_after_cut() {
-    FirstRepair repair{.part = {}, .mesh = merged_and_rounded(whole(), {})};
-    repair.mesh->find_faults(marked_faces(exact_.triangles, rounded_.moved));
-    if (auto done = cut_at(*repair.mesh)) {
-      return std::move(*done);
-    }
-    const double reach = std::min(kReachGrowth * step_, tolerance_ - past_.distance());
-    const std::vector<Fault> found = repair.mesh->faults();
-    if (const std::vector<std::uint32_t> broken = faces_of(found); !broken.empty()) {
-      repair.removed_shells = remove_small_shells(*repair.mesh, broken, reach);
-      repair.is_ended = repair_rounded(*repair.mesh, broken, limits(reach));
-    }
-    return repaired_further(repair, reach, found);
-  }
-
-  /// Makes a rounded surface with faults a solid again, as long as that makes them fewer.
-  std::optional<Rounded> cut_at(const EditedMesh& mesh) {
-    const std::vector<std::uint32_t> broken = faces_of(mesh.faults());
-    if (broken.empty() || past_.idle_snaps > 0 || past_.snaps == kSnaps) {
-      return std::nullopt;
-    }
-    past_.is_cut = true;
-    return snapped(mesh, mesh.alive_faces(), broken);
-  }
-
-  /// Repairs with ever more reach, if faults are left, and snaps.
-  Rounded repaired_further(FirstRepair& repair, double reach,
-                           const std::vector<Fault>& broken_pairs) {
-    const double farthest = tolerance_ - past_.distance();
-    for (EditedMesh& mesh = *repair.mesh;;) {
+    EditedMesh& mesh = *repair->mesh;
+    while (true) {
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
-      const std::vector<std::uint32_t> broken = faults(mesh, alive, move);
+      broken = faults(mesh, alive, move);
       if (broken.empty() && (!alive.empty() || options_.whole)) {
-        return finished(
-            mesh, alive,
-            {.largest_move = move, .repair_reach = reach, .removed_shells = repair.removed_shells});
+        return finished(mesh, alive,
+                        {.largest_move = move,
+                         .repair_reach = reach,
+                         .removed_shells = repair->removed_shells});
       }
-      const bool is_urgent = past_.idle_snaps == 0 && (!repair.is_ended || !pinches(mesh).empty());
+      const bool is_urgent = past_.idle_snaps == 0 && (!repair->is_ended || !pinches(mesh).empty());
       const bool may_cut = is_urgent || reach >= past_.snap_reach() * step_;
       if (auto done = begun_anew(mesh, alive, broken_pairs, broken, may_cut)) {
         return std::move(*done);
@@ -298,8 +263,8 @@ class Rounding {
                           alive.empty());
       }
       reach = std::min(kReachGrowth * reach, farthest);
-      repair.removed_shells += remove_small_shells(mesh, broken, reach);
-      repair.is_ended = repair_further(mesh, broken, limits(reach));
+      repair->removed_shells += remove_small_shells(mesh, broken, reach);
+      repair->is_ended = repair_further(mesh, broken, limits(reach));
     }
   }
 
@@ -336,7 +301,8 @@ class Rounding {
     }
     PastRounds past = past_;
     past.void_width = std::max(past.void_width, filled->width);
-    past.fill(filled->places);
+    past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
+                              filled->places.end());
     return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
   }
 
@@ -353,8 +319,9 @@ class Rounding {
     }
     PastRounds past = past_;
     past.slit_reach = filled->reach;
-    past.has_filled_voids = past.is_cut = false;
-    past.fill(filled->places);
+    past.has_filled_voids = false;
+    past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
+                              filled->places.end());
     return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
   }
 
@@ -390,11 +357,9 @@ class Rounding {
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;
     }
-    const auto cut = without_self_crossings(surface.mesh(), surface.sources(), faults);
-    if (!cut || (past_.is_cut && !keeps_shells_whole(surface.mesh(), *cut))) {
-      return std::nullopt;
-    }
-    return Rounding(cut->solid, coordinates_, options_, std::move(past)).run();
+    const auto solid = without_self_crossings(surface.mesh(), surface.sources(), faults);
+    return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
+                 : std::nullopt;
   }
 
   [[nodiscard]] BrokenMesh whole() const {
@@ -448,9 +413,7 @@ class Rounding {
   [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
   [[nodiscard]] double largest_move(double from_doubles) const;
   [[nodiscard]] double largest_move(const EditedMesh& repaired,
-                                    std::span<const std::uint32_t> alive) const {
-    return largest_move(largest_edit(repaired, whole(), alive));
-  }
+                                    std::span<const std::uint32_t> alive) const;
   [[nodiscard]] Error unroundable(const Vec3& at, bool is_nothing) const;
 
   const mesh::ExactMesh& exact_;
@@ -515,11 +478,30 @@ std::optional<Rounded> Rounding::spliced(const FirstRepair& repair, double reach
   const MeshPart& part = *repair.part;
   const EditedMesh& mesh = *repair.mesh;
   RoundingReport report{.repair_reach = reach, .removed_shells = repair.removed_shells};
-  const PartEdits edits = part.edits(mesh, rounded_.moved);
-  const double vertex = std::max(rounded_.largest_move, edits.vertex);
-  report.largest_move = largest_move(vertex + edits.surface);
-  report.moved = edits.moved + static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
-  Rounded result = with_report(report, exact_.triangles.size() - edits.dead.size());
+  const BrokenMesh original = part.view();
+  double vertex = rounded_.largest_move, surface = 0;
+  std::vector<std::uint32_t> unused, dead;  // points and triangles of the whole
+  std::size_t moved = 0;                    // which rounding has left in place
+  for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+    const std::uint32_t point = part.points()[v];
+    const bool is_used = !mesh.faces(v).empty();
+    const bool is_kept = is_used && mesh.point(v) == original.on_lattice[v];
+    moved += rounded_.moved[point] == 0 && !is_kept ? 1 : 0;
+    vertex = std::max(vertex, mesh.reach(v));
+    if (!is_used) {
+      unused.push_back(point);
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.alive(f)) {
+      surface = std::max(surface, mesh.deviation(f));
+    } else {
+      dead.push_back(part.faces()[f]);
+    }
+  }
+  report.largest_move = largest_move(vertex + surface);
+  report.moved = moved + static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
+  Rounded result = with_report(report, exact_.triangles.size() - dead.size());
   TriMesh& whole = result.mesh_;
   tbb::parallel_invoke([&] { support::assign_bulk(exact_.triangles, whole.triangles); },
                        [&] { support::assign_bulk(exact_.sources, result.sources_); },
@@ -527,16 +509,30 @@ std::optional<Rounded> Rounding::spliced(const FirstRepair& repair, double reach
   whole.points = std::move(rounded_.on_lattice);
   part.put(mesh, whole, result.sources_);
   const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, representatives_});
-  erase_at(edits.dead, whole.triangles);
+  erase_at(dead, whole.triangles);
   if (meets_rest || !misplaced({whole.points, whole.triangles}, report.largest_move).empty()) {
     rounded_.on_lattice = std::move(whole.points);
     part.put_back(rounded_.on_lattice);
     return std::nullopt;
   }
-  erase_at(edits.dead, result.sources_);
-  erase_at(edits.dead, whole.labels);
-  erase_points(edits.unused, whole);
+  erase_at(dead, result.sources_);
+  erase_at(dead, whole.labels);
+  erase_points(unused, whole);
   return result;
+}
+
+double Rounding::largest_move(const EditedMesh& repaired,
+                              std::span<const std::uint32_t> alive) const {
+  double vertex = 0, surface = 0;
+  for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
+    const Vec3& place = rounded_.on_lattice[v];
+    const bool is_kept = repaired.point(v) == place && repaired.reach(v) == 0;
+    vertex = std::max(vertex, is_kept ? (place - doubles()[v]).norm() : repaired.reach(v));
+  }
+  for (const std::uint32_t f : alive) {
+    surface = std::max(surface, repaired.deviation(f));
+  }
+  return largest_move(vertex + surface);
 }
 
 /// Of exact place to nearest double, of that to the lattice and by repair, as given; and of all
@@ -558,6 +554,23 @@ Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
        .is_nothing = is_nothing});
 }
 
+namespace {
+
+bool rounds(const mesh::ExactMesh& solid, Coordinates coordinates, RoundingOptions options,
+            double tolerance) {
+  options.tolerance = tolerance;
+  try {
+    static_cast<void>(Rounding(solid, coordinates, options).run());
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
+    }
+    return false;
+  }
+}
+
+}  // namespace
 }  // namespace dupin::rounding
 
 namespace dupin {
@@ -566,18 +579,6 @@ Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptio
   const UsualArithmetic usual;
   rounding::validate(options);
   rounding::Rounding rounding(solid.exact(), coordinates, options);
-  const auto rounds = [&](RoundingOptions others, double tolerance) {
-    others.tolerance = tolerance;
-    try {
-      static_cast<void>(rounding::Rounding(solid.exact(), coordinates, others).run());
-      return true;
-    } catch (const Error& error) {
-      if (error.code() != Errc::unroundable) {
-        throw;
-      }
-      return false;
-    }
-  };
   try {
     return rounding.run_with_warnings();
   } catch (const Error& error) {
@@ -585,10 +586,13 @@ Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptio
       throw;
     }
     const Error tried = rounding::with_larger_tolerance(
-        error, rounding.tolerance(), rounding.usual_tolerance(),
-        [&](double tolerance) { return rounds(options, tolerance); });
-    throw rounding::with_recentring_tried(
-        tried, [&] { return rounds(rounding::recentred(options), options.tolerance); });
+        error, rounding.tolerance(), rounding.usual_tolerance(), [&](double tolerance) {
+          return rounding::rounds(solid.exact(), coordinates, options, tolerance);
+        });
+    throw rounding::with_recentring_tried(tried, [&] {
+      return rounding::rounds(solid.exact(), coordinates, rounding::recentred(options),
+                              options.tolerance);
+    });
   }
 }
 

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/boolean.h"
@@ -72,27 +70,6 @@ TEST(Racks, whose_pipes_rest_on_others_keep_their_shape) {
     EXPECT_TRUE(rounded.report().filled_places.empty());
     EXPECT_LE(rounded.report().largest_move, 5);
   }
-}
-
-// Half of the triangles cross others once rounded: edits one by one took up to fifty times the
-// union, and moved points by 20 and 14 steps of 0.125. Cut at once, they move by little more than
-// one.
-TEST(Racks, that_cross_all_over_are_cut) {
-  for (const auto& [seed, pipes] : {std::pair(85U, 20), std::pair(82U, 30)}) {
-    SCOPED_TRACE(seed);
-    const Rounded rounded =
-        to_mesh(unite(test::resting_pipes(pipes, seed, 140)), Coordinates::binary32);
-    EXPECT_TRUE(check(rounded.mesh()).is_solid());
-    EXPECT_LE(rounded.report().largest_move, 0.25);
-    EXPECT_LE(rounded.report().snapped_places.size(), 3);
-  }
-}
-
-// A cut would part two pipes from such a rack: it is mended instead.
-TEST(Racks, do_not_come_apart) {
-  const Solid rack = unite(test::resting_pipes(20, 93, 140));
-  const Rounded rounded = to_mesh(rack, Coordinates::binary32);
-  EXPECT_LE(check(rounded.mesh()).components, rack.components());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, PlantsBySeed, testing::Range(std::uint32_t{0}, kPlants));

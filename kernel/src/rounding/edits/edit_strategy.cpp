@@ -375,42 +375,6 @@ bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
   return mend(mesh, lattice, reach, is_thorough);
 }
 
-EditedMesh merged_and_rounded(const BrokenMesh& original, std::span<const Fault> faults) {
-  EditedMesh mesh = unedited(original);
-  mesh.place(original.on_lattice);
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    for (int i = 0; i < 3 && mesh.alive(f); ++i) {
-      const std::uint32_t a = mesh.triangle(f)[i], b = mesh.triangle(f)[(i + 1) % 3];
-      if (mesh.point(a) == mesh.point(b) && !mesh.merge(a, b)) {
-        mesh.merge(b, a);
-      }
-    }
-  }
-  std::vector<Fault> left(faults.begin(), faults.end());
-  std::erase_if(left, [&](const Fault& fault) { return !mesh.is_fault(fault); });
-  mesh.add_faults(left);
-  return mesh;
-}
-
-double largest_edit(const EditedMesh& mesh, const BrokenMesh& original,
-                    std::span<const std::uint32_t> alive) {
-  double vertex = 0, surface = 0;
-  for (std::uint32_t v = 0; v < original.doubles.size(); ++v) {
-    const Vec3& place = original.on_lattice[v];
-    const bool is_kept = mesh.point(v) == place && mesh.reach(v) == 0;
-    vertex = std::max(vertex, is_kept ? (place - original.doubles[v]).norm() : mesh.reach(v));
-  }
-  for (const std::uint32_t f : alive) {
-    surface = std::max(surface, mesh.deviation(f));
-  }
-  return vertex + surface;
-}
-
-bool repair_rounded(EditedMesh& mesh, const Faces& broken, const RepairLimits& limits) {
-  thicken(mesh, std::min(limits.step, limits.reach), with_neighbours(mesh, broken));
-  return mend(mesh, limits.lattice, limits.reach, limits.is_thorough);
-}
-
 bool repair_further(EditedMesh& mesh, const Faces& broken, const RepairLimits& limits) {
   thicken(mesh, limits.reach, with_neighbours(mesh, broken));
   return mend(mesh, limits.lattice, limits.reach, limits.is_thorough);

@@ -33,21 +33,6 @@ bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
                    const RepairLimits& limits);
 
-/// The mesh rounded, without the edges whose ends have one place then: that changes nothing that
-/// triangles cover, and so needs no trial. It has those of the faults given, of the mesh that is
-/// rounded only, that are left.
-[[nodiscard]] EditedMesh merged_and_rounded(const BrokenMesh& original,
-                                            std::span<const Fault> faults);
-
-/// How far edits have moved points, since they were as given or rounded, and surfaces, added.
-[[nodiscard]] double largest_edit(const EditedMesh& mesh, const BrokenMesh& original,
-                                  std::span<const std::uint32_t> alive);
-
-/// Thickens what is thinner than a step around the broken faces of a mesh that is rounded, and
-/// mends. False if trying more was not worth it.
-bool repair_rounded(EditedMesh& mesh, const std::vector<std::uint32_t>& broken,
-                    const RepairLimits& limits);
-
 /// Goes on where repair_around() left faults, with a larger reach, near the `broken` faces only.
 bool repair_further(EditedMesh& mesh, const std::vector<std::uint32_t>& broken,
                     const RepairLimits& limits);

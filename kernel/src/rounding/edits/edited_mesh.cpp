@@ -229,18 +229,14 @@ bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
            std::ranges::any_of(faces(to), on_opposite_edge));
 }
 
-/// Whether a point may not take the place of another one. Of those at a contact one may take
-/// another's.
-bool EditedMesh::is_fixed(std::uint32_t from, std::uint32_t to) const {
-  const bool is_copy =
-      points_[from] == points_[to] && representatives_[from] == representatives_[to];
-  return fixed_[from] == kAtContact ? !is_copy : fixed_[from] != 0;
-}
-
 bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& rule) {
   const double moved = reach_[from] + (points_[from] - points_[to]).norm();
   const auto all = faces(from);
-  if (is_fixed(from, to) || moved > rule.reach || !tracker_.may_try(now(), all, rule.faults) ||
+  // Of points at a contact one may take another's place.
+  const bool is_copy =
+      points_[from] == points_[to] && representatives_[from] == representatives_[to];
+  const bool is_fixed = fixed_[from] == kAtContact ? !is_copy : fixed_[from] != 0;
+  if (is_fixed || moved > rule.reach || !tracker_.may_try(now(), all, rule.faults) ||
       !collapsible(from, to)) {
     return false;
   }
@@ -263,15 +259,6 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
     }
     return false;
   }
-  drop_edge(from, to, dying, changing);
-  reach_[to] = std::max(reach_[to], moved);
-  return true;
-}
-
-/// Brings the faces around points up to date: those of `from` have died, or are those of `to` now.
-void EditedMesh::drop_edge(std::uint32_t from, std::uint32_t to,
-                           std::span<const std::uint32_t> dying,
-                           std::span<const std::uint32_t> changing) {
   for (const std::uint32_t f : dying) {
     drop_face(to, f);
     drop_face(third_corner(triangles_[f], from, to), f);
@@ -280,28 +267,7 @@ void EditedMesh::drop_edge(std::uint32_t from, std::uint32_t to,
     add_face(to, f);
   }
   set_faces(from, {});
-}
-
-bool EditedMesh::merge(std::uint32_t from, std::uint32_t to) {
-  if (points_[from] != points_[to] || is_fixed(from, to) || !collapsible(from, to)) {
-    return false;
-  }
-  ++edits_;
-  std::vector<std::uint32_t> dying, changing;
-  for (const std::uint32_t f : faces(from)) {
-    (has(triangles_[f], to) ? dying : changing).push_back(f);
-    last_edit_[f] = edits_;
-  }
-  tracker_.remove(dying);
-  for (const std::uint32_t f : dying) {
-    alive_[f] = 0;
-  }
-  for (const std::uint32_t f : changing) {
-    triangles_[f] = replaced(triangles_[f], from, to);
-    edited_.push_back(f);
-  }
-  drop_edge(from, to, dying, changing);
-  reach_[to] = std::max(reach_[to], reach_[from]);
+  reach_[to] = std::max(reach_[to], moved);
   return true;
 }
 

@@ -63,12 +63,6 @@ class EditedMesh {
   bool flip(std::uint32_t face, int edge, const EditRule& rule);
   bool move(std::uint32_t vertex, const Vec3& position, const EditRule& rule);
 
-  /// Makes one of two points in the same place that have an edge in common, without asking: what
-  /// triangles cover stays, and no new faults come of it. Known ones of triangles with the one or
-  /// the other may be none any more (is_fault). False where no 2-manifold would be left, or at
-  /// contacts.
-  bool merge(std::uint32_t from, std::uint32_t to);
-
   /// Removes whole shells without asking.
   void remove(std::span<const std::uint32_t> faces);
 
@@ -114,9 +108,6 @@ class EditedMesh {
   [[nodiscard]] bool settle(std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> after, const EditRule& rule);
   [[nodiscard]] bool collapsible(std::uint32_t from, std::uint32_t to) const;
-  [[nodiscard]] bool is_fixed(std::uint32_t from, std::uint32_t to) const;
-  void drop_edge(std::uint32_t from, std::uint32_t to, std::span<const std::uint32_t> dying,
-                 std::span<const std::uint32_t> changing);
   void set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces);
   void add_face(std::uint32_t vertex, std::uint32_t face);
   void drop_face(std::uint32_t vertex, std::uint32_t face);

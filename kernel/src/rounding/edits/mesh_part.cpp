@@ -203,27 +203,6 @@ void MeshPart::put_back(std::vector<Vec3>& points) const {
   }
 }
 
-PartEdits MeshPart::edits(const EditedMesh& repaired, std::span<const std::uint8_t> moved) const {
-  PartEdits edits;
-  for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    const bool is_used = !repaired.faces(v).empty();
-    const bool is_kept = is_used && repaired.point(v) == on_lattice_[v];
-    edits.moved += moved[points_[v]] == 0 && !is_kept ? 1 : 0;
-    edits.vertex = std::max(edits.vertex, repaired.reach(v));
-    if (!is_used) {
-      edits.unused.push_back(points_[v]);
-    }
-  }
-  for (std::uint32_t f = 0; f < repaired.face_count(); ++f) {
-    if (repaired.alive(f)) {
-      edits.surface = std::max(edits.surface, repaired.deviation(f));
-    } else {
-      edits.dead.push_back(faces_[f]);
-    }
-  }
-  return edits;
-}
-
 void erase_points(std::span<const std::uint32_t> unused, TriMesh& mesh) {
   if (unused.empty()) {
     return;

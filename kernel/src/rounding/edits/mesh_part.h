@@ -32,13 +32,6 @@ struct BrokenMesh {
   return {mesh.doubles, mesh.triangles, mesh.labels, mesh.representatives, mesh.complete};
 }
 
-/// What repair has made of a part of a mesh.
-struct PartEdits {
-  double vertex = 0, surface = 0;           ///< how far points have moved, and surfaces by flips
-  std::vector<std::uint32_t> unused, dead;  ///< points and triangles of the whole, ascending
-  std::size_t moved = 0;                    ///< points that rounding had left in place
-};
-
 /// Some triangles of a mesh as a mesh of its own with a border. Numbers, of points and of
 /// triangles, ascend as in the whole mesh.
 class MeshPart {
@@ -67,10 +60,6 @@ class MeshPart {
   /// Of surroundings: whether, in the whole mesh that they have been put into, repaired triangles
   /// that differ from the rounded ones make faults with others than those of the part.
   [[nodiscard]] bool meets_rest(const EditedMesh& repaired, const Embedding& whole) const;
-
-  /// `moved`: a mark per point of the whole that rounding moves.
-  [[nodiscard]] PartEdits edits(const EditedMesh& repaired,
-                                std::span<const std::uint8_t> moved) const;
 
   /// Puts the repaired triangles, dead ones apart, and points into the rounded whole mesh.
   void put(const EditedMesh& repaired, TriMesh& whole, std::vector<Source>& sources) const;

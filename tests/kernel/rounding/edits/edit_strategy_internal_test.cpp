@@ -12,29 +12,6 @@
 namespace dupin::rounding {
 namespace {
 
-TEST_F(Edit, whose_edges_vanish_in_rounding_is_merged) {
-  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-3);
-  shape = test::tube(1, 0, 1, 64);
-  const std::vector<Vec3> doubles = shape.points;
-  std::vector<Vec3> rounded;
-  for (const Vec3& p : doubles) {
-    rounded.push_back(lattice.nearest(p));
-  }
-  labels.assign(shape.triangles.size(), 0);
-  representatives.resize(shape.points.size());
-  std::iota(representatives.begin(), representatives.end(), 0);
-  const EditedMesh tube =
-      merged_and_rounded({doubles, rounded, shape.triangles, labels, representatives}, {});
-  EXPECT_LT(tube.alive_faces().size(), shape.triangles.size());
-  for (const std::uint32_t f : tube.alive_faces()) {
-    const auto& [a, b, c] = tube.triangle(f);
-    EXPECT_FALSE(tube.point(a) == tube.point(b) || tube.point(b) == tube.point(c) ||
-                 tube.point(c) == tube.point(a))
-        << f;
-  }
-  EXPECT_TRUE(check(result(tube)).closed());
-}
-
 TEST_F(Edit, repairs_what_random_moves_have_broken) {
   const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
   std::mt19937 random(17);

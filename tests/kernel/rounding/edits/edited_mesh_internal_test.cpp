@@ -30,27 +30,6 @@ TEST_F(Edit, collapses_keep_a_solid_until_none_is_possible) {
   EXPECT_EQ(check(result(tube)).triangles, 4) << "a tetrahedron is the least";
 }
 
-TEST_F(Edit, merges_points_in_one_place) {
-  EditedMesh tube = mesh();
-  const Triangle t = tube.triangle(0);
-  EXPECT_FALSE(tube.merge(t[0], t[1])) << "they have places of their own";
-  std::vector<Vec3> points(tube.points().begin(), tube.points().end());
-  points[t[0]] = points[t[1]];
-  tube.place(points);
-  tube.find_faults(std::vector<std::uint8_t>(tube.face_count(), 1));
-  EXPECT_FALSE(tube.faults().empty());
-  const double reach = tube.reach(t[0]);
-  EXPECT_GT(reach, 0);
-  EXPECT_TRUE(tube.merge(t[0], t[1]));
-  for (const Fault& fault : tube.faults()) {
-    EXPECT_FALSE(tube.is_fault(fault)) << "of two points in one place, which are one";
-  }
-  EXPECT_FALSE(tube.alive(0));
-  EXPECT_EQ(tube.reach(t[1]), reach) << "the move of the point that has vanished counts";
-  EXPECT_EQ(tube.alive_faces().size(), tube.face_count() - 2);
-  EXPECT_TRUE(check(result(tube)).is_solid());
-}
-
 TEST_F(Edit, is_refused_beyond_the_reach) {
   EditedMesh tube = mesh();
   const Triangle t = tube.triangle(0);
