@@ -193,13 +193,7 @@ class Estimator {
         result.triangles += surfaces::expected_triangles(
             loop, {assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_});
       }
-      std::array<std::vector<Vec3>, 2> feet;
-      for (int i = 0; i < kFeet; ++i) {
-        const auto [first, second] =
-            canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / kFeet));
-        feet[0].push_back(first);
-        feet[1].push_back(second);
-      }
+      auto feet = canal::sampled_feet(loop, kFeet);
       for (std::size_t side = 0; side < 2; ++side) {
         result.feet.at(side).push_back(std::move(feet.at(side)));
       }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,7 +20,6 @@
 namespace dupin::assembly {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Of a loop: few tell most.
 constexpr int kFewSamples = 64, kSamples = 256;
 constexpr double kTouching = canal::kTouching;
@@ -46,13 +44,7 @@ const RingedSurface& straight_tube(const PartSurface& surface, const std::string
 // By points that a loop has on both pipes.
 std::array<Course, 2> courses_of(const CanalFillet& loop, const std::array<Pipe, 2>& pipes,
                                  int samples) {
-  std::array<std::vector<Vec3>, 2> feet;
-  for (int i = 0; i < samples; ++i) {
-    const auto [first, second] =
-        canal::contact_feet(loop.quadrics, ball(loop, kTurn * i / samples));
-    feet[0].push_back(first);
-    feet[1].push_back(second);
-  }
+  const auto feet = canal::sampled_feet(loop, samples);
   return {pipes[0].course(feet[0]), pipes[1].course(feet[1])};
 }
 

@@ -1,6 +1,7 @@
 #include "canal/contact_feet.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "dupin/blends/pe_arc.h"
 #include "dupin/kernel/decimal.h"
@@ -32,6 +33,17 @@ std::array<Vec3, 2> contact_feet(const std::array<Ring, 2>& quadrics, const Movi
   (void)radius_lag(ball);
   return {ball.center - ball.radius * normal_at_foot(quadrics[0], ball),
           ball.center - ball.radius * normal_at_foot(quadrics[1], ball)};
+}
+
+std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop, int samples) {
+  std::array<std::vector<Vec3>, 2> feet;
+  for (int i = 0; i < samples; ++i) {
+    const auto [first, second] =
+        contact_feet(loop.quadrics, ball(loop, 2 * std::numbers::pi * i / samples));
+    feet[0].push_back(first);
+    feet[1].push_back(second);
+  }
+  return feet;
 }
 
 }  // namespace dupin::canal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/ring.h"
@@ -21,5 +22,9 @@ namespace dupin::canal {
 /// does.
 [[nodiscard]] std::array<Vec3, 2> contact_feet(const std::array<Ring, 2>& quadrics,
                                                const MovingBall& ball);
+
+/// The same of so many balls of a loop, evenly by the parameter from 0 on: the feet on each
+/// quadric.
+[[nodiscard]] std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop, int samples);
 
 }  // namespace dupin::canal
