@@ -196,6 +196,8 @@ struct DistrictBuild::Plan {
   std::vector<assembly::DistrictParts> districts;
   std::vector<Seam> seams;
   assembly::RelatedParts related;
+  std::vector<Port> ports;
+  std::vector<GapPair> gaps;
 
   Plan(const Assembly& document, const BuildOptions& chosen)
       : assembly(with_options(document, chosen)),
@@ -204,12 +206,8 @@ struct DistrictBuild::Plan {
         related(assembly) {
     require_margins(options);
     assembly = with_regions(std::move(assembly), resolved, options.region);
-    districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
-                                             options.relative_margin);
-    if (districts.empty()) {
-      districts.emplace_back();
-    }
-    divide();
+    const std::array<void (Plan::*)(), 2> tasks{&Plan::divide, &Plan::measure_gaps};
+    for_each_in_parallel(tasks.size(), [&](std::size_t i) { (this->*tasks.at(i))(); });
   }
 
   /// What the districts have parts of.
@@ -224,7 +222,17 @@ struct DistrictBuild::Plan {
   }
 
  private:
+  void measure_gaps() {
+    ports = dupin::ports(resolved);
+    gaps = pair_ends(ports, options.connect);
+  }
+
   void divide() {
+    districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
+                                             options.relative_margin);
+    if (districts.empty()) {
+      districts.emplace_back();
+    }
     if (options.most_of_piece > 0) {
       assembly::DividedDistricts made = assembly::divided(
           assembly, resolved, std::move(districts),
@@ -323,8 +331,8 @@ Built DistrictBuild::joined(std::vector<Built> districts) const {
     result.solid = dupin::joined(result.districts, result.boxes);
   }
   refuse_unknown_patches(plan_->assembly, plan_->resolved, result.solid);
-  result.ports = ports(plan_->resolved);
-  result.gaps = pair_ends(result.ports, plan_->options.connect);
+  result.ports = plan_->ports;
+  result.gaps = plan_->gaps;
   return result;
 }
 
