@@ -31,7 +31,7 @@ ARROWS = {
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "tiles": ["checking", "mesh", "exact", "support"],
-        "districts": ["rounding", "checking", "mesh", "exact", "support"],
+        "districts": ["rounding", "checking", "boxes", "mesh", "exact", "support"],
         "meshing": ["rounding", "checking", "mesh", "boxes", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
         "views": ["mesh", "boxes", "support"],

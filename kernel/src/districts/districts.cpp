@@ -13,11 +13,13 @@
 
 #include "districts/box_cover.h"
 #include "districts/boxes_in_tree.h"
+#include "districts/touching_pairs.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/point_winding.h"
+#include "support/disjoint_sets.h"
 #include "support/none.h"
 #include "support/sequences.h"
 
@@ -325,6 +327,13 @@ void require_numbers(std::span<const Eigen::AlignedBox3d> boxes) {
 void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes,
                        const std::function<void(std::uint32_t, std::uint32_t)>& visit) {
   require_numbers(boxes);
+  if (auto pairs = districts::touching_pairs(boxes)) {
+    std::ranges::sort(*pairs);
+    for (const auto& [i, j] : *pairs) {
+      visit(i, j);
+    }
+    return;
+  }
   const BoxesInTree all(boxes);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const auto near = all.touching(boxes[i]);
@@ -338,9 +347,28 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
   return districts_of(boxes, {});
 }
 
-std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes,
+namespace {
+
+/// Of few pairs that touch.
+std::vector<std::uint32_t> districts_of(std::size_t count, const districts::TouchingPairs& touching,
                                         std::span<const std::array<std::uint32_t, 2>> apart) {
-  require_numbers(boxes);
+  support::DisjointSets sets(count);
+  for (const auto& pair : touching) {
+    if (!std::ranges::binary_search(apart, pair)) {
+      sets.unite(pair[0], pair[1]);
+    }
+  }
+  std::vector<std::uint32_t> district = sets.representatives();
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    district[i] = district[i] == i ? next++ : district[district[i]];
+  }
+  return district;
+}
+
+/// Goes from box to box, and leaves out those that it has seen: however many touch.
+std::vector<std::uint32_t> districts_of_crowd(std::span<const Eigen::AlignedBox3d> boxes,
+                                              std::span<const std::array<std::uint32_t, 2>> apart) {
   std::vector<std::uint32_t> district(boxes.size(), support::kNone), open;
   const auto tree_of_new = [&] {
     return tree_of(boxes, [&](std::uint32_t i) { return district[i] == support::kNone; });
@@ -385,6 +413,15 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
     ++count;
   }
   return district;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes,
+                                        std::span<const std::array<std::uint32_t, 2>> apart) {
+  require_numbers(boxes);
+  const auto touching = districts::touching_pairs(boxes);
+  return touching ? districts_of(boxes.size(), *touching, apart) : districts_of_crowd(boxes, apart);
 }
 
 void add(const RoundingReport& district, RoundingReport& all) {
