@@ -4,10 +4,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "checking/self_intersection.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/districts.h"
 #include "mesh/edge_table.h"
@@ -58,29 +60,66 @@ std::vector<Vec3> turned(const std::vector<Vec3>& triangles) {
   return ordered(std::move(result));
 }
 
-/// Triangles given by their corners, those in one place being one point.
-class Soup {
+/// What lies beside both sides of a seam, those in one place being one point.
+class BothSides {
  public:
-  void append(std::span<const Vec3> triangles) {
-    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-      mesh_.triangles.push_back(
-          {point(triangles[i]), point(triangles[i + 1]), point(triangles[i + 2])});
-    }
+  BothSides(std::span<const Vec3> one, std::span<const Vec3> other) {
+    const std::vector<Vec3> own = places_of(one), others = places_of(other);
+    std::ranges::set_intersection(own, others, std::back_inserter(common_), kLess);
+    std::ranges::set_union(own, others, std::back_inserter(places_), kLess);
+    append(one, 0);
+    append(other, 1);
   }
-  [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
+
+  [[nodiscard]] static std::vector<Vec3> places_of(std::span<const Vec3> triangles) {
+    std::vector<Vec3> places(triangles.begin(), triangles.end());
+    std::ranges::sort(places, kLess);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
+  /// The points of both, ascending.
+  [[nodiscard]] const std::vector<Vec3>& common() const { return common_; }
+
+  /// Whether no edge is one of more than two triangles, nor run through twice the same way.
+  [[nodiscard]] bool are_edges_of_two() const {
+    std::vector<std::array<std::uint32_t, 3>> edges;
+    edges.reserve(3 * triangles_.size());
+    for (const Triangle& corners : triangles_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = corners.at(k), to = corners.at((k + 1) % 3);
+        edges.push_back({std::min(from, to), std::max(from, to), from < to ? 0U : 1U});
+      }
+    }
+    std::ranges::sort(edges);  // two turned against each other differ
+    return std::ranges::adjacent_find(edges) == edges.end();
+  }
+
+  /// Whether a triangle of the one meets one of the other, but as neighbours do.
+  [[nodiscard]] bool meet() const {
+    std::vector<std::uint32_t> own_places(places_.size());
+    std::iota(own_places.begin(), own_places.end(), 0U);
+    return !checking::find_self_intersections(
+                places_, triangles_,
+                {.limit = 0, .representatives = own_places, .groups = side_of_})
+                .none();
+  }
 
  private:
-  std::uint32_t point(const Vec3& place) {
-    const auto [entry, is_new] =
-        known_.try_emplace(place, static_cast<std::uint32_t>(mesh_.points.size()));
-    if (is_new) {
-      mesh_.points.push_back(place);
+  void append(std::span<const Vec3> triangles, std::uint32_t side) {
+    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+      triangles_.push_back({point(triangles[i]), point(triangles[i + 1]), point(triangles[i + 2])});
+      side_of_.push_back(side);
     }
-    return entry->second;
+  }
+  [[nodiscard]] std::uint32_t point(const Vec3& place) const {
+    const auto found = std::ranges::lower_bound(places_, place, kLess);
+    return static_cast<std::uint32_t>(found - places_.begin());
   }
 
-  std::map<Vec3, std::uint32_t, PlaceOrder> known_;
-  TriMesh mesh_;
+  std::vector<Vec3> common_, places_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> side_of_;
 };
 
 /// How often each edge of the triangles is run through more one way than the other, by its ends.
@@ -398,27 +437,9 @@ bool fit(const SeamSide& one, const SeamSide& other) {
   if (!one.is_end || !other.is_end || one.end != turned(other.end)) {
     return false;
   }
-  const auto places_of = [](std::span<const Vec3> triangles) {
-    std::vector<Vec3> places(triangles.begin(), triangles.end());
-    std::ranges::sort(places, kLess);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
-  };
-  const std::vector<Vec3> own = places_of(one.near), others = places_of(other.near),
-                          of_end = places_of(one.end);
-  std::vector<Vec3> common;
-  std::ranges::set_intersection(own, others, std::back_inserter(common), kLess);
-  if (!std::ranges::includes(of_end, common, kLess)) {
-    return false;
-  }
-  Soup both;
-  both.append(one.near);
-  both.append(other.near);
-  const Report report = check(both.mesh(), {.limit = 0});
-  return report.count(Defect::self_intersection) == 0 &&
-         report.count(Defect::duplicate_face) == 0 && report.count(Defect::degenerate_face) == 0 &&
-         report.count(Defect::non_manifold_edge) == 0 &&
-         report.count(Defect::inconsistent_orientation) == 0;
+  const BothSides both(one.near, other.near);
+  return std::ranges::includes(BothSides::places_of(one.end), both.common(), kLess) &&
+         both.are_edges_of_two() && !both.meet();
 }
 
 // What one piece of material is bounded by is one shell around it, and others around voids.

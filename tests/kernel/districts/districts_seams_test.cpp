@@ -143,6 +143,25 @@ TEST(Seams, do_not_fit_where_triangles_beside_them_meet) {
   EXPECT_FALSE(fit(one, with({{.5, .5, .5}, {.6, .5, .5}, {.5, 3, .5}}))) << "through it";
   EXPECT_FALSE(fit(one, with({{.25, 1, .5}, {.2, 2, .5}, {.3, 2, .5}}))) << "in a point";
   EXPECT_FALSE(fit(one, with({{0, 1, 1}, {0, 2, 1}, {0, 2, 2}}))) << "in a corner of both";
+  SeamSide also = one;  // a triangle of the disc that both have, seen from either side
+  const std::vector<Vec3> corners(one.end.begin(), one.end.begin() + 3);
+  also.near.insert(also.near.end(), corners.begin(), corners.end());
+  EXPECT_FALSE(fit(also, with({corners[0], corners[2], corners[1]}))) << "in a face of both";
+  EXPECT_FALSE(fit(also, with(corners))) << "in a face of both, turned alike";
+}
+
+TEST(Seams, fit_where_chords_of_discs_are_edges_of_one_side_only) {
+  SeamSide one = opened(bar(0, 1, "a", "s"), {seam("s", 1)}).sides.at(0);
+  SeamSide other = opened(bar(1, 3, "s", "b"), {seam("s", 1)}).sides.at(0);
+  // Two corners across the disc, and a sheet of two triangles that hangs on that edge.
+  const Vec3 a(1, 0, 0), b(1, 1, 1), below(.5, .5, .5), above(1.5, .5, .5);
+  const auto hang = [&](SeamSide& side, const Vec3& apex) {
+    side.near.insert(side.near.end(), {a, b, apex, b, a, apex + Vec3(.1, 0, 0)});
+  };
+  hang(one, below);
+  EXPECT_TRUE(fit(one, other));
+  hang(other, above);
+  EXPECT_FALSE(fit(one, other)) << "four triangles have one edge";
 }
 
 // A bar with a hole of square section along it; the annuli at its ends are labelled, or the end is
