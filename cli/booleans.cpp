@@ -161,9 +161,8 @@ bool is_divided(const std::vector<std::string>& files, const OperandArguments& a
   std::vector<std::size_t> triangles;
   std::ranges::transform(meshes, std::back_inserter(triangles),
                          [](const TriMesh& mesh) { return mesh.triangles.size(); });
-  return !operand_pieces(
-              operand_districts(boxes, margin),
-              {boxes, triangles, double(arguments.tiles.piece.value_or(kUndividedTriangles)), {}})
+  return !operand_pieces(operand_districts(boxes, margin),
+                         {boxes, triangles, arguments.tiles.most_undivided(), {}})
               .seams.empty();
 }
 

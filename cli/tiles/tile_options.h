@@ -44,6 +44,13 @@ struct TileArguments {
   std::size_t tiles = 0;
   std::optional<std::size_t> piece;  ///< of both, for tests
   std::string memory, cache, cache_size;
+
+  [[nodiscard]] double most_undivided() const {
+    return static_cast<double>(piece.value_or(kUndividedTriangles));
+  }
+  [[nodiscard]] double most_of_piece() const {
+    return static_cast<double>(piece.value_or(kPieceTriangles));
+  }
 };
 
 /// What --tiles means where a file is written tile by tile, each of some of `what`.

@@ -278,8 +278,8 @@ void prepare_pieces(const BuildArguments& arguments, BuildOptions& options) {
                             !arguments.cross_check.empty() || arguments.source.keep_going;
   if (!is_looked_at && !is_step(arguments.output) && !is_volume(arguments.output) &&
       why_not_tiled(tiled_destination(arguments.output)).empty()) {
-    options.most_of_piece = double(arguments.tiles.piece.value_or(kPieceTriangles));
-    options.most_undivided = double(arguments.tiles.piece.value_or(kUndividedTriangles));
+    options.most_of_piece = arguments.tiles.most_of_piece();
+    options.most_undivided = arguments.tiles.most_undivided();
   }
 }
 

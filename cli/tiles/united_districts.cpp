@@ -420,16 +420,15 @@ OperandFiles survey(const std::vector<std::string>& files, const Progress& progr
 
 OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks) {
   Uncut uncut;
-  return until_pieces_fit(
-      double(task.tiles.piece.value_or(kUndividedTriangles)), [&](double most_of_piece) {
-        const auto united = alike(ranks, [&] {
-          return std::make_unique<UnionInTiles>(task, files, ranks, most_of_piece, uncut);
-        });
-        auto report = united->run();
-        // All ranks, and unions in any number of tiles, find the same ones.
-        uncut.merge(united->misfits());
-        return report;
-      });
+  return until_pieces_fit(task.tiles.most_undivided(), [&](double most_of_piece) {
+    const auto united = alike(ranks, [&] {
+      return std::make_unique<UnionInTiles>(task, files, ranks, most_of_piece, uncut);
+    });
+    auto report = united->run();
+    // All ranks, and unions in any number of tiles, find the same ones.
+    uncut.merge(united->misfits());
+    return report;
+  });
 }
 
 }  // namespace dupin::cli

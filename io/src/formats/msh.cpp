@@ -107,14 +107,6 @@ std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   return text + "$EndElements\n";
 }
 
-namespace {
-
-std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
-  return text::noted_unit(bytes, "# ");
-}
-
-}  // namespace
-
 constinit const MeshFormat kMshSurface = {.key = "msh-surface",
                                           .name = "gmsh surface",
                                           .extension = {},
@@ -122,7 +114,7 @@ constinit const MeshFormat kMshSurface = {.key = "msh-surface",
                                           .read = read_msh,
                                           .write = msh_text,
                                           .recognises = recognise,
-                                          .unit = unit_of};
+                                          .unit = text::unit_behind_hash};
 
 constinit const VolumeFormat kMshVolume = {.key = "msh",
                                            .name = "gmsh volume",

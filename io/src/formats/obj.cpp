@@ -243,14 +243,6 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   return text;
 }
 
-namespace {
-
-std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
-  return text::noted_unit(bytes, "# ");
-}
-
-}  // namespace
-
 constinit const MeshFormat kObj = {.key = "obj",
                                    .name = "OBJ",
                                    .extension = ".obj",
@@ -259,6 +251,6 @@ constinit const MeshFormat kObj = {.key = "obj",
                                    .read = read_obj,
                                    .write = obj_text,
                                    .recognises = recognise,
-                                   .unit = unit_of};
+                                   .unit = text::unit_behind_hash};
 
 }  // namespace dupin

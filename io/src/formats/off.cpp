@@ -164,14 +164,6 @@ std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
   return text;
 }
 
-namespace {
-
-std::string unit_of(std::string_view bytes, std::string_view /*file*/) {
-  return text::noted_unit(bytes, "# ");
-}
-
-}  // namespace
-
 constinit const MeshFormat kOff = {.key = "off",
                                    .name = "OFF",
                                    .extension = ".off",
@@ -179,6 +171,6 @@ constinit const MeshFormat kOff = {.key = "off",
                                    .read = read_off,
                                    .write = off_text,
                                    .recognises = recognise,
-                                   .unit = unit_of};
+                                   .unit = text::unit_behind_hash};
 
 }  // namespace dupin

@@ -162,6 +162,10 @@ std::string noted_unit(std::string_view bytes, std::string_view prefix) {
   return {};
 }
 
+std::string unit_behind_hash(std::string_view bytes, std::string_view /*file*/) {
+  return noted_unit(bytes, "# ");
+}
+
 std::vector<std::vector<std::uint32_t>> triangles_by_label(const TriMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> groups(mesh.labels.empty() ? 1 : mesh.names.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -58,6 +58,8 @@ void append_point(std::string& text, const Vector& point) {
 /// The unit that such a line states, the whole of it, among the first of a file; empty if none
 /// does, or if there is no such unit.
 [[nodiscard]] std::string noted_unit(std::string_view bytes, std::string_view prefix);
+/// Of formats whose comments begin with "# "; as MeshFormat::unit.
+[[nodiscard]] std::string unit_behind_hash(std::string_view bytes, std::string_view file);
 
 /// Triangles by label, in order of the names, each in order of the mesh; one group of all for an
 /// unlabelled mesh.

@@ -53,7 +53,8 @@ Transform transform_of(const GlbDocument& document, const Json& node, const std:
     const auto m = numbers<16>(document, node, place, "matrix", {});
     for (int column = 0; column < 4; ++column) {
       for (int row = 0; row < 3; ++row) {
-        const double value = m[static_cast<std::size_t>(4 * column + row)];
+        const double value =
+            m.at(4 * static_cast<std::size_t>(column) + static_cast<std::size_t>(row));
         (column < 3 ? transform.linear(row, column) : transform.shift[row]) = value;
       }
     }
@@ -83,9 +84,9 @@ std::vector<std::size_t> node_list(const GlbDocument& document, const Json& json
   if (!json[key].is_array()) {
     document.fail(place + "/" + key, "found no array, expected one");
   }
+  const std::string list = place + "/" + key + "/";
   for (std::size_t i = 0; i < json[key].size(); ++i) {
-    nodes.push_back(
-        document.unsigned_value(json[key][i], place + "/" + key + "/" + std::to_string(i)));
+    nodes.push_back(document.unsigned_value(json[key][i], list + std::to_string(i)));
   }
   return nodes;
 }
