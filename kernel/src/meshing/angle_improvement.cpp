@@ -112,7 +112,7 @@ class Stars {
 /// Looks for better places of single points, by steps in some directions that get shorter.
 class Search {
  public:
-  Search(Tetrahedra& mesh, const ReferenceSurface& surface, const Stars& stars,
+  Search(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, const Stars& stars,
          const MoveLimits& limits)
       : mesh_(mesh), surface_(surface), stars_(stars), limits_(limits) {}
 
@@ -200,7 +200,7 @@ class Search {
   }
 
   Tetrahedra& mesh_;
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   const Stars& stars_;
   const MoveLimits& limits_;
 };
@@ -283,7 +283,7 @@ double smallest_dihedral_angle(const std::array<Vec3, 4>& corners) {
   return least;
 }
 
-void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+void improve_angles(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, double wanted,
                     const MoveLimits& limits) {
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);
@@ -301,7 +301,7 @@ void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wa
   improve(wanted, wanted * kMuchMore);
 }
 
-void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+void improve_dihedral_angles(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, double wanted,
                              double wanted_of_triangles, const MoveLimits& limits) {
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);

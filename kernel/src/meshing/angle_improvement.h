@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "meshing/surface_distance.h"
+#include "mesh/surface_distance.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
@@ -21,7 +21,7 @@ struct MoveLimits {
 /// a triangle turn by a right angle, nor a tetrahedron turn or vanish, by exact predicates, and
 /// goes not further than to a neighbour; edges get no longer than they are, or than the longest
 /// allowed.
-void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+void improve_angles(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, double wanted,
                     const MoveLimits& limits);
 
 /// The smallest angle between two faces of a positive tetrahedron, in radians.
@@ -30,7 +30,7 @@ void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wa
 /// Moves points, those inside anywhere and others along their regions, until tetrahedra have no
 /// dihedral angle below `wanted`, in radians, or nothing is gained any more: slivers that Delaunay
 /// refinement leaves. Triangles keep their angles, or `wanted_of_triangles`.
-void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+void improve_dihedral_angles(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, double wanted,
                              double wanted_of_triangles, const MoveLimits& limits);
 
 }  // namespace dupin::meshing

@@ -22,7 +22,7 @@ constexpr int kRounds = 8;
 /// Cuts of one round, no two of which are of the same triangle.
 class Round {
  public:
-  Round(Tetrahedra& mesh, const ReferenceSurface& surface, const std::set<Edge>& kept,
+  Round(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, const std::set<Edge>& kept,
         double distance)
       : mesh_(mesh), surface_(surface), kept_(kept), distance_(distance) {}
 
@@ -138,7 +138,7 @@ class Round {
   }
 
   Tetrahedra& mesh_;
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   const std::set<Edge>& kept_;
   double distance_;
   std::map<Edge, std::vector<std::uint32_t>> sides_;
@@ -146,7 +146,7 @@ class Round {
 
 }  // namespace
 
-bool cut_far_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool cut_far_edges(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                    std::span<const BorderChain> chains, double distance) {
   const std::set<Edge> kept = edges_of(chains);
   bool has_cut = false;

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "mesh/surface_distance.h"
 #include "meshing/patch_topology.h"
-#include "meshing/surface_distance.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
@@ -13,7 +13,7 @@ namespace dupin::meshing {
 /// Refinement looks at circumcentres of triangles, and edges across a bend may be further off.
 /// Edges whose halves would turn a triangle by a right angle stay. Whether any was cut. For
 /// surfaces without tetrahedra, of one region.
-bool cut_far_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool cut_far_edges(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                    std::span<const BorderChain> chains, double distance);
 
 }  // namespace dupin::meshing

@@ -24,7 +24,7 @@ constexpr double kGain = 1e-6;
 /// Edits of one round, none of which has a point in common with what another one has changed.
 class Round {
  public:
-  Round(Tetrahedra& mesh, const ReferenceSurface& surface, const std::set<Edge>& kept,
+  Round(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, const std::set<Edge>& kept,
         double wanted, const MoveLimits& limits)
       : mesh_(mesh),
         surface_(surface),
@@ -191,7 +191,7 @@ class Round {
   }
 
   Tetrahedra& mesh_;
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   const std::set<Edge>& kept_;
   double wanted_;
   const MoveLimits& limits_;
@@ -249,7 +249,7 @@ void take_away(Tetrahedra& mesh, const std::vector<std::uint8_t>& is_gone) {
   }
 }
 
-bool edit_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool edit_edges(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                 std::span<const BorderChain> chains, double wanted, const MoveLimits& limits) {
   const std::set<Edge> kept = edges_of(chains);
   bool has_edited = false;

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/patch_topology.h"
-#include "meshing/surface_distance.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
@@ -29,7 +29,7 @@ void take_away(Tetrahedra& mesh, const std::vector<std::uint8_t>& is_gone);
 /// Each edit makes the smallest angle of what it changes larger, turns no triangle by a right
 /// angle, leaves edges of the chains, and looks near; a 2-manifold stays one, and points that no
 /// triangle has any more are taken away. Whether there was any. For surfaces without tetrahedra.
-bool edit_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool edit_edges(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                 std::span<const BorderChain> chains, double wanted, const MoveLimits& limits);
 
 }  // namespace dupin::meshing

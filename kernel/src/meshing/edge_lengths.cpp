@@ -159,8 +159,8 @@ std::vector<std::set<std::uint32_t>> regions_beside(const std::vector<Curve>& cu
 
 }  // namespace
 
-EdgeLengths::EdgeLengths(const ReferenceSurface& surface, const Features& features, double distance,
-                         double largest)
+EdgeLengths::EdgeLengths(const mesh::ReferenceSurface& surface, const Features& features,
+                         double distance, double largest)
     : surface_(surface),
       features_(features),
       distance_(distance),

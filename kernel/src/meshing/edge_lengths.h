@@ -10,8 +10,8 @@
 #include "boxes/box_tree.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/mesh.h"
+#include "mesh/surface_distance.h"
 #include "meshing/features.h"
-#include "meshing/surface_distance.h"
 
 namespace dupin::meshing {
 
@@ -19,7 +19,7 @@ namespace dupin::meshing {
 /// made of.
 class EdgeLengths {
  public:
-  EdgeLengths(const ReferenceSurface& surface, const Features& features, double distance,
+  EdgeLengths(const mesh::ReferenceSurface& surface, const Features& features, double distance,
               double largest);
 
   /// Of those about a point, positive: no triangle and no edge of that length, there, lies further
@@ -64,7 +64,7 @@ class EdgeLengths {
                                      Between between) const;
   [[nodiscard]] double room_about(const Vec3& point) const;
 
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   const Features& features_;
   double distance_, largest_;
   std::vector<std::uint8_t> is_flat_;  // per region
@@ -75,7 +75,7 @@ class EdgeLengths {
   std::vector<double> starts_;                   // per edge, how far along its curve
   std::vector<double> curve_lengths_;            // of loops; infinite of others
   std::vector<std::set<std::uint32_t>> beside_;  // per curve, regions at it and at its ends
-  ReferenceSurface curve_edges_;
+  mesh::ReferenceSurface curve_edges_;
 };
 
 /// The error of curves that come so near each other that a mesh gets too many points.

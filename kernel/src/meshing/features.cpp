@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/edge_table.h"
-#include "meshing/surface_distance.h"
+#include "mesh/surface_distance.h"
 #include "support/disjoint_sets.h"
 #include "support/none.h"
 
@@ -265,7 +265,7 @@ class Finder {
     const std::vector<Extent> extents = this->extents(distance);
     std::vector<std::uint32_t> into(extents.size());
     std::iota(into.begin(), into.end(), 0U);
-    const ReferenceSurface surface(mesh_.points, mesh_.triangles, features_.regions);
+    const mesh::ReferenceSurface surface(mesh_.points, mesh_.triangles, features_.regions);
     const auto is_thin = [&](std::uint32_t region) { return !extents[region].faces.empty(); };
     std::vector<std::uint8_t> stays(extents.size(), 0);
     const auto absorb = [&](std::uint32_t region, bool by_thin_ones) {

@@ -9,9 +9,9 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "dupin/kernel/solver_mesh.h"
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/features.h"
-#include "meshing/surface_distance.h"
 
 namespace dupin::meshing {
 
@@ -25,7 +25,7 @@ class GivenSolid {
   [[nodiscard]] const RemeshOptions& options() const { return options_; }
   [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Features& features() const { return features_; }
-  [[nodiscard]] const ReferenceSurface& surface() const { return surface_; }
+  [[nodiscard]] const mesh::ReferenceSurface& surface() const { return surface_; }
   [[nodiscard]] std::uint32_t region_count() const { return region_count_; }
   [[nodiscard]] double largest_edge() const { return largest_edge_; }
   /// Of its box.
@@ -64,7 +64,7 @@ class GivenSolid {
   RemeshOptions options_;  // no lengths are larger than the solid
   double diagonal_, largest_edge_;
   Features features_;
-  ReferenceSurface surface_;
+  mesh::ReferenceSurface surface_;
   std::uint32_t region_count_ = 0;
   double slack_ = 0;
 };

@@ -72,7 +72,7 @@ double quality_of(const Tetrahedra& mesh, const std::set<Edge>& curves) {
 /// Patches of one round, no two of which have a point in common.
 class Round {
  public:
-  Round(Tetrahedra& mesh, const ReferenceSurface& surface, const std::set<Edge>& curves,
+  Round(Tetrahedra& mesh, const mesh::ReferenceSurface& surface, const std::set<Edge>& curves,
         double wanted, const MoveLimits& limits)
       : mesh_(mesh),
         surface_(surface),
@@ -311,7 +311,7 @@ class Round {
     Vec3 outward = Vec3::Zero();
     for (const auto& [a, b, c] : patch.mesh.triangles) {
       const Vec3 &p = patch.mesh.points[a], &q = patch.mesh.points[b], &r = patch.mesh.points[c];
-      const Vec3 there = nearest_on_triangle(middle, p, q, r);
+      const Vec3 there = mesh::nearest_on_triangle(middle, p, q, r);
       if (const double far = (there - middle).squaredNorm(); far < least) {
         least = far;
         outward = normal_of(p, q, r);
@@ -342,7 +342,7 @@ class Round {
   }
 
   Tetrahedra& mesh_;
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   const std::set<Edge>& curves_;
   double wanted_;
   const MoveLimits& limits_;
@@ -353,7 +353,7 @@ class Round {
 
 }  // namespace
 
-bool try_patches(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool try_patches(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                  std::span<const BorderChain> chains, double wanted, const MoveLimits& limits) {
   const std::set<Edge> curves = edges_of(chains);
   std::size_t left = kMostPatches + mesh.triangles.size() / kTrianglesPerPatch;

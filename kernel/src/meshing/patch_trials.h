@@ -2,9 +2,9 @@
 
 #include <span>
 
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/patch_topology.h"
-#include "meshing/surface_distance.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
@@ -15,7 +15,7 @@ namespace dupin::meshing {
 /// what is about the triangle, and keeps the best of what comes of it. The border of what is about
 /// it and edges of the chains stay, a 2-manifold stays one. Looks at a number of triangles that is
 /// bounded by that of all. Whether anything has changed. For surfaces without tetrahedra.
-bool try_patches(Tetrahedra& mesh, const ReferenceSurface& surface,
+bool try_patches(Tetrahedra& mesh, const mesh::ReferenceSurface& surface,
                  std::span<const BorderChain> chains, double wanted, const MoveLimits& limits);
 
 }  // namespace dupin::meshing

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
 #include "meshing/edge_cuts.h"
@@ -16,7 +17,6 @@
 #include "meshing/patch_topology.h"
 #include "meshing/patch_trials.h"
 #include "meshing/seeds.h"
-#include "meshing/surface_distance.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
@@ -145,14 +145,15 @@ class Mesher {
 
   /// The largest distance both ways, if it can be proved to be below the one allowed.
   [[nodiscard]] std::optional<double> deviation() {
-    const ReferenceSurface back(made_.points, made_.triangles, made_.regions);
+    const mesh::ReferenceSurface back(made_.points, made_.triangles, made_.regions);
     const std::optional<double> there = largest(surface_, back, made_.triangles.size());
     const std::optional<double> here =
         there ? largest(back, surface_, region_.mesh.triangles.size()) : std::nullopt;
     return here ? std::optional(std::max(*there, *here)) : std::nullopt;
   }
-  [[nodiscard]] std::optional<double> largest(const ReferenceSurface& to,
-                                              const ReferenceSurface& from, std::size_t count) {
+  [[nodiscard]] std::optional<double> largest(const mesh::ReferenceSurface& to,
+                                              const mesh::ReferenceSurface& from,
+                                              std::size_t count) {
     double largest = 0;
     for (std::uint32_t f = 0; f < count; ++f) {
       const std::array<Vec3, 3> corners = from.corners(f);
@@ -182,7 +183,7 @@ class Mesher {
   const RemeshOptions& options_;
   RegionWish& wish_;
   const Progress& progress_;
-  ReferenceSurface surface_;
+  mesh::ReferenceSurface surface_;
   std::vector<BorderChain> borders_;
   double edge_share_ = 0.9;  // of the largest edge, that is asked for
   Tetrahedra made_;

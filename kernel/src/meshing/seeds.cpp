@@ -16,7 +16,7 @@ namespace {
 
 class Sower {
  public:
-  Sower(const TriMesh& mesh, const Features& features, const ReferenceSurface& surface)
+  Sower(const TriMesh& mesh, const Features& features, const mesh::ReferenceSurface& surface)
       : mesh_(mesh), features_(features), surface_(surface) {
     has_curve_.assign(1 + static_cast<std::size_t>(*std::ranges::max_element(features.regions)), 0);
     for (const Curve& curve : features.curves) {
@@ -87,7 +87,7 @@ class Sower {
 
   const TriMesh& mesh_;
   const Features& features_;
-  const ReferenceSurface& surface_;
+  const mesh::ReferenceSurface& surface_;
   std::vector<std::uint8_t> has_curve_;  // per region
   std::vector<Seed> seeds_;
 };
@@ -95,7 +95,7 @@ class Sower {
 }  // namespace
 
 std::vector<Seed> seeds_of(const TriMesh& mesh, const Features& features,
-                           const ReferenceSurface& surface, const EdgeLengths& lengths) {
+                           const mesh::ReferenceSurface& surface, const EdgeLengths& lengths) {
   return Sower(mesh, features, surface).run(lengths);
 }
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
+#include "mesh/surface_distance.h"
 #include "meshing/delaunay_refinement.h"
 #include "meshing/edge_lengths.h"
 #include "meshing/features.h"
-#include "meshing/surface_distance.h"
 
 namespace dupin::meshing {
 
@@ -14,7 +14,7 @@ namespace dupin::meshing {
 /// triangle of its mesh [BO05, persistent facets], about the middle of a large triangle, and those
 /// that lie furthest along the axes.
 [[nodiscard]] std::vector<Seed> seeds_of(const TriMesh& mesh, const Features& features,
-                                         const ReferenceSurface& surface,
+                                         const mesh::ReferenceSurface& surface,
                                          const EdgeLengths& lengths);
 
 }  // namespace dupin::meshing

@@ -13,13 +13,13 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
 #include "meshing/edge_lengths.h"
 #include "meshing/features.h"
 #include "meshing/given_solid.h"
 #include "meshing/seeds.h"
-#include "meshing/surface_distance.h"
 #include "meshing/surface_mesh_maker.h"
 #include "meshing/tetrahedra.h"
 #include "support/blocks.h"
@@ -149,7 +149,7 @@ class Maker {
     VolumeMesh mesh = volume_mesh_of({std::move(made_.points), std::move(made_.triangles), {}, {}},
                                      std::move(made_.tetrahedra));
     TriMesh& skin = mesh.surface;
-    const ReferenceSurface back(skin.points, skin.triangles, made_.regions);
+    const mesh::ReferenceSurface back(skin.points, skin.triangles, made_.regions);
     const std::optional<double> there = largest(given_.surface(), skin, made_.regions);
     const std::optional<double> here =
         there ? largest(back, given_.mesh(), given_.features().regions) : std::nullopt;
@@ -176,7 +176,7 @@ class Maker {
 
   /// The largest distance from the triangles of a mesh to the same region of a surface, if it can
   /// be proved to be below the one allowed.
-  [[nodiscard]] std::optional<double> largest(const ReferenceSurface& to, const TriMesh& from,
+  [[nodiscard]] std::optional<double> largest(const mesh::ReferenceSurface& to, const TriMesh& from,
                                               const std::vector<std::uint32_t>& regions) {
     constexpr std::size_t kBlock = 64;
     std::vector<double> distances(from.triangles.size());

@@ -29,7 +29,7 @@ Tetrahedra pyramid(const Vec3& at) {
 TEST(AngleImprovement, moves_a_point_within_its_region) {
   Tetrahedra mesh = pyramid(Vec3(0.5, 0.25, 0));
   const Tetrahedra before = mesh;
-  const ReferenceSurface surface(before.points, before.triangles, before.regions);
+  const mesh::ReferenceSurface surface(before.points, before.triangles, before.regions);
   improve_angles(mesh, surface, 25 * test::kDegree, {4, 0.1});
   EXPECT_EQ(mesh.points[4].z(), 0);
   for (std::size_t f = 0; f < mesh.triangles.size(); f += 2) {
@@ -45,7 +45,7 @@ TEST(AngleImprovement, leaves_points_that_may_not_move_and_good_ones) {
   Tetrahedra stuck = pyramid(Vec3(0.5, 0.25, 0));
   stuck.freedoms[4] = Freedom::none;
   const Tetrahedra before = stuck;
-  const ReferenceSurface surface(before.points, before.triangles, before.regions);
+  const mesh::ReferenceSurface surface(before.points, before.triangles, before.regions);
   improve_angles(stuck, surface, 25 * test::kDegree, {4, 0.1});
   EXPECT_EQ(stuck.points, before.points);
   Tetrahedra good = pyramid(Vec3(2, 2, 0));
@@ -81,7 +81,7 @@ TEST(AngleImprovement, moves_points_inside_out_of_slivers) {
     return angle;
   };
   ASSERT_LT(least(before), 5 * test::kDegree);
-  const ReferenceSurface surface(before.points, before.triangles, before.regions);
+  const mesh::ReferenceSurface surface(before.points, before.triangles, before.regions);
   improve_dihedral_angles(mesh, surface, 30 * test::kDegree, 0, {2, 0.1});
   EXPECT_GE(least(mesh), 30 * test::kDegree);
 }

@@ -24,7 +24,7 @@ struct Case {
   }
   TriMesh mesh;
   Features features;
-  ReferenceSurface surface;
+  mesh::ReferenceSurface surface;
   EdgeLengths lengths;
   std::vector<double> shares;
 };

@@ -75,7 +75,7 @@ void expect_closed_and_outward(const Tetrahedra& mesh) {
 
 TEST(EdgeCuts, bring_edges_across_a_bend_near_the_surface) {
   const Tetrahedra fine = sphere(5);
-  const ReferenceSurface surface(fine.points, fine.triangles, fine.regions);
+  const mesh::ReferenceSurface surface(fine.points, fine.triangles, fine.regions);
   Tetrahedra mesh = sphere(1);
   ASSERT_GT(largest_depth(mesh, {}), 0.07);
   EXPECT_TRUE(cut_far_edges(mesh, surface, {}, 0.05));
@@ -88,7 +88,7 @@ TEST(EdgeCuts, bring_edges_across_a_bend_near_the_surface) {
 
 TEST(EdgeCuts, leave_edges_of_chains) {
   const Tetrahedra fine = sphere(5);
-  const ReferenceSurface surface(fine.points, fine.triangles, fine.regions);
+  const mesh::ReferenceSurface surface(fine.points, fine.triangles, fine.regions);
   Tetrahedra mesh = sphere(1);
   const BorderChain chain = {{mesh.triangles[0][0], mesh.triangles[0][1]}, 2};
   const std::set<Edge> kept = edges_of(std::vector{chain});
@@ -106,7 +106,7 @@ TEST(EdgeCuts, leave_edges_whose_halves_would_turn_triangles_over) {
   const std::vector<Vec3> far = {{0, 10, 0}, {4, 10, 0}, {2, 10, 4}};
   const std::vector<Triangle> one = {{0, 1, 2}};
   const std::vector<std::uint32_t> regions = {0};
-  const ReferenceSurface surface(far, one, regions);
+  const mesh::ReferenceSurface surface(far, one, regions);
   Tetrahedra mesh;
   mesh.points = {{0, 0, 0}, {20, 0, 0}, {10, 1, 0}, {10, -1, 0}};
   mesh.freedoms.assign(4, Freedom::region);

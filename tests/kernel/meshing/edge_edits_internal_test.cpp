@@ -69,7 +69,7 @@ TEST(EdgeEdits, leave_what_would_be_far_from_the_surface) {
   const std::vector<Vec3> points = {{0, 0, 0}, {2, -0.6, 0.5}, {4, 0, 0}, {2, 0.6, 0.5}};
   const std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
   const std::vector<std::uint32_t> regions = {0, 0};
-  const ReferenceSurface surface(points, triangles, regions);
+  const mesh::ReferenceSurface surface(points, triangles, regions);
   Tetrahedra mesh = mesh_of(points, triangles, 9);
   EXPECT_FALSE(edit_edges(mesh, surface, kRim, 25 * kDegree, kLimits));
   EXPECT_TRUE(edit_edges(mesh, surface, kRim, 25 * kDegree, {100, 1}));

@@ -15,7 +15,7 @@ struct Case {
         surface(mesh.points, mesh.triangles, features.regions) {}
   TriMesh mesh;
   Features features;
-  ReferenceSurface surface;
+  mesh::ReferenceSurface surface;
 };
 
 TEST(EdgeLengths, are_what_curvature_allows) {

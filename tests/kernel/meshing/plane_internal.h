@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/surface_distance.h"
 #include "meshing/angle_improvement.h"
-#include "meshing/surface_distance.h"
 
 namespace dupin::meshing {
 
@@ -17,7 +17,7 @@ struct Plane {
   std::vector<Vec3> points = {Vec3(-50, -50, 0), Vec3(150, -50, 0), Vec3(-50, 150, 0)};
   std::vector<Triangle> triangles = {{0, 1, 2}};
   std::vector<std::uint32_t> regions = {0};
-  ReferenceSurface surface{points, triangles, regions};
+  mesh::ReferenceSurface surface{points, triangles, regions};
 };
 
 }  // namespace dupin::meshing

@@ -10,7 +10,7 @@ TEST(Seeds, are_on_their_regions_and_needed_where_there_is_no_curve) {
   for (const double sharp : {0.7, 3.1}) {  // with the second, all is one region
     const TriMesh mesh = test::tube(3, 0, 5, 24);
     const Features features = find_features(mesh, sharp, 0.01, 0);
-    const ReferenceSurface surface(mesh.points, mesh.triangles, features.regions);
+    const mesh::ReferenceSurface surface(mesh.points, mesh.triangles, features.regions);
     const std::vector<Seed> seeds =
         seeds_of(mesh, features, surface, EdgeLengths(surface, features, 0.01, 1));
     const bool is_one = features.curves.empty();

@@ -1,4 +1,4 @@
-#include "meshing/surface_distance.h"
+#include "mesh/surface_distance.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 
-namespace dupin::meshing {
+namespace dupin::mesh {
 namespace {
 
 /// A triangle whose proof needs more parts counts as not near: so many, and more where much is
@@ -256,4 +256,4 @@ std::optional<double> ReferenceSurface::bound(const std::array<Vec3, 3>& triangl
   return cover.largest();
 }
 
-}  // namespace dupin::meshing
+}  // namespace dupin::mesh

@@ -11,7 +11,7 @@
 #include "boxes/box_tree.h"
 #include "dupin/kernel/mesh.h"
 
-namespace dupin::meshing {
+namespace dupin::mesh {
 
 /// The place of a triangle that is nearest to a point; rounding may make it another one, which is
 /// further off.
@@ -83,4 +83,4 @@ class ReferenceSurface {
   boxes::BoxTree tree_;
 };
 
-}  // namespace dupin::meshing
+}  // namespace dupin::mesh

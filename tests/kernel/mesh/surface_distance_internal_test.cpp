@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "meshing/surface_distance.h"
+#include "mesh/surface_distance.h"
 #include "support/mesh_distance.h"
 #include "support/shapes.h"
 
-namespace dupin::meshing {
+namespace dupin::mesh {
 namespace {
 
 using dupin::test::tube;
@@ -98,4 +98,4 @@ TEST(SurfaceDistance, nearest_on_a_triangle_is_in_its_plane_on_an_edge_or_at_a_c
 }
 
 }  // namespace
-}  // namespace dupin::meshing
+}  // namespace dupin::mesh
