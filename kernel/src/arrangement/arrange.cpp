@@ -45,12 +45,34 @@ Constraints constraints_of(ArrangementInput& input, const Intersections& interse
   return collect_constraints(input, intersections.found, intersections.crossed_sheets);
 }
 
+// Where they are is known by intervals. Needs UpwardRounding.
+OutsideSheets sheets_of(const ArrangementInput& input,
+                        const support::BulkVector<OutputTriangle>& triangles) {
+  OutsideSheets sheets;
+  for (const OutputTriangle& triangle : triangles) {
+    std::array<Vec3, 3>& corners = sheets.triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const Interval at = input.points.interval(triangle.corners[i], k);
+        const double middle = at.inf() / 2 + at.sup() / 2;
+        corners[i][k] = middle;
+        sheets.error = std::max({sheets.error, at.sup() - middle, middle - at.inf()});
+      }
+    }
+    sheets.sources.push_back(triangle.source);
+  }
+  return sheets;
+}
+
+struct SelectedTriangles {
+  support::BulkVector<OutputTriangle> kept;
+  OutsideSheets outside;  // if the rule keeps what is cancelled
+};
+
 // All that stands between the input and these ends here, to make room for the result.
-support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
-                                                     Intersections intersections,
-                                                     const BooleanRule& rule,
-                                                     const Progress& progress,
-                                                     std::uint64_t memory_limit) {
+SelectedTriangles select_triangles(ArrangementInput& input, Intersections intersections,
+                                   const BooleanRule& rule, const Progress& progress,
+                                   std::uint64_t memory_limit) {
   Subdivision subdivision;
   {
     Constraints constraints = constraints_of(input, intersections, memory_limit);
@@ -62,19 +84,26 @@ support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
   const support::ProgressStage stage(progress, "classify", 0.7, 0.9);
   const UpwardRounding rounding;
   ManifoldPatches patches(input, rule, subdivision);
-  const std::vector<std::int8_t> selection =
-      propagate_winding_numbers(input, rule, subdivision, patches);
+  const Selection selection = propagate_winding_numbers(input, rule, subdivision, patches);
   patches.forget_seams();
-  triangulate_outlines(
-      input, [&](std::uint32_t region) { return selection[patches.of_region(region)] != 0; },
-      subdivision);
-  return collect_output_triangles(input, subdivision, patches, selection);
+  const auto is_wanted = [&](std::uint32_t region) {
+    const std::uint32_t patch = patches.of_region(region);
+    return selection.kept[patch] != 0 || (rule.keeps_cancelled && selection.outside[patch] != 0);
+  };
+  triangulate_outlines(input, is_wanted, subdivision);
+  SelectedTriangles result;
+  result.kept = collect_output_triangles(input, subdivision, patches, selection.kept);
+  if (rule.keeps_cancelled) {
+    result.outside =
+        sheets_of(input, collect_output_triangles(input, subdivision, patches, selection.outside));
+  }
+  return result;
 }
 
-mesh::ExactMesh arrange(ArrangementInput& input, Intersections intersections,
-                        const BooleanRule& rule, const Progress& progress,
-                        std::uint64_t memory_limit, bool merging = false) {
-  support::BulkVector<OutputTriangle> kept =
+WoundSurface arrange_with_rest(ArrangementInput& input, Intersections intersections,
+                               const BooleanRule& rule, const Progress& progress,
+                               std::uint64_t memory_limit, bool merging = false) {
+  auto [kept, outside] =
       select_triangles(input, std::move(intersections), rule, progress, memory_limit);
   const support::ProgressStage stage(progress, "extract", 0.9, 1);
   if (merging) {
@@ -82,7 +111,14 @@ mesh::ExactMesh arrange(ArrangementInput& input, Intersections intersections,
     kept = merge_pieces(input, kept);
   }
   input.points.forget_balls();
-  return extract(input, std::move(kept));
+  return {extract(input, std::move(kept)), std::move(outside)};
+}
+
+mesh::ExactMesh arrange(ArrangementInput& input, Intersections intersections,
+                        const BooleanRule& rule, const Progress& progress,
+                        std::uint64_t memory_limit, bool merging = false) {
+  return arrange_with_rest(input, std::move(intersections), rule, progress, memory_limit, merging)
+      .boundary;
 }
 
 ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
@@ -177,10 +213,11 @@ mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operan
   return arrange(input, intersections_of(input, progress), rule, progress, memory_limit, true);
 }
 
-mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const Progress& progress,
-                                          std::span<const std::uint8_t> crossing) {
+namespace {
+
+WoundSurface wound_surface(const mesh::ExactMesh& surface, const BooleanRule& rule,
+                           const Progress& progress, std::span<const std::uint8_t> crossing) {
   const mesh::ExactMesh* const operand = &surface;
-  const BooleanRule rule = union_rule(1);
   ArrangementInput input = imported({&operand, 1}, rule);
   input.operand_pairs = {{0, 0}};
   input.crossing = crossing;
@@ -189,7 +226,20 @@ mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const 
   } else {
     mark_all_but_lone_fans(input);
   }
-  return arrange(input, intersections_of(input, progress), rule, progress, 0);
+  return arrange_with_rest(input, intersections_of(input, progress), rule, progress, 0);
+}
+
+}  // namespace
+
+mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const Progress& progress,
+                                          std::span<const std::uint8_t> crossing) {
+  return wound_surface(surface, union_rule(1), progress, crossing).boundary;
+}
+
+WoundSurface wound_surface(const mesh::ExactMesh& surface, std::span<const std::uint8_t> crossing) {
+  BooleanRule rule = union_rule(1);
+  rule.keeps_cancelled = true;
+  return wound_surface(surface, rule, {}, crossing);
 }
 
 mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::ExactMesh& surface) {

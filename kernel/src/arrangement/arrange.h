@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "arrangement/input.h"
 #include "dupin/kernel/progress.h"
@@ -48,6 +51,22 @@ namespace dupin::arrangement {
 [[nodiscard]] mesh::ExactMesh positive_winding_boundary(
     const mesh::ExactMesh& surface, const Progress& progress = {},
     std::span<const std::uint8_t> crossing = {});
+
+/// Triangles of sheets that have no inside on either side, so that nothing is left of them.
+struct OutsideSheets {
+  std::vector<std::array<Vec3, 3>> triangles;
+  std::vector<std::uint32_t> sources;  ///< of each, a triangle of the surface that it is part of
+  double error = 0;                    ///< of coordinates, at most
+};
+
+struct WoundSurface {
+  mesh::ExactMesh boundary;
+  OutsideSheets outside;
+};
+
+/// The same boundary, and what of the surface is neither on it nor within.
+[[nodiscard]] WoundSurface wound_surface(const mesh::ExactMesh& surface,
+                                         std::span<const std::uint8_t> crossing);
 
 /// The boundary of the points that are inside the solid or that the surface, which may cross and
 /// cover itself and the solid's, winds around a positive number of times. Contacts of the solid

@@ -336,7 +336,7 @@ void merge_coincident_triangles(ArrangementInput& input, const BooleanRule& rule
       const bool same = same_orientation(input.triangles[kept], input.triangles[t]);
       coincident.push_back({t, same ? 1 : -1});
     }
-    const bool gone = changes_nothing(winding_change(input, rule, coincident));
+    const bool gone = is_cancelled(input, rule, coincident);
     for (std::size_t j = gone ? 0 : 1; j < coincident.size(); ++j) {
       input.merged[coincident[j].triangle] = 1;
       if (!gone) {

@@ -28,6 +28,9 @@ struct BooleanRule {
   std::vector<std::uint32_t> group_of_operand;
   std::uint32_t groups = 0;
   std::function<bool(std::span<const int>)> inside;  ///< one count per group
+  /// Sheets that lie upon each other and change no count are told on which side they are; else they
+  /// are left out, which is quicker.
+  bool keeps_cancelled = false;
 };
 
 /// A triangle of the input, seen from its front (+1) or its back (-1).
@@ -101,6 +104,13 @@ struct ArrangementInput {
 
 [[nodiscard]] inline bool changes_nothing(std::span<const int> change) {
   return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
+}
+
+/// Whether nothing has to be known of a face that these triangles cover, which may be none.
+[[nodiscard]] inline bool is_cancelled(const ArrangementInput& input, const BooleanRule& rule,
+                                       std::span<const SignedTriangle> cover) {
+  const bool is_kept = rule.keeps_cancelled && !cover.empty();
+  return !is_kept && changes_nothing(winding_change(input, rule, cover));
 }
 
 /// `pairs`, ascending; if there are none, those whose bounds meet. Throws Error{limit_exceeded} if

@@ -433,9 +433,9 @@ std::uint32_t patch_of(const Subdivision& subdivision, const ManifoldPatches& pa
 
 }  // namespace
 
-std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, const BooleanRule& rule,
-                                                   const Subdivision& subdivision,
-                                                   const ManifoldPatches& patches) {
+Selection propagate_winding_numbers(ArrangementInput& input, const BooleanRule& rule,
+                                    const Subdivision& subdivision,
+                                    const ManifoldPatches& patches) {
   Relations relations(patches.size(), rule.groups);
   for (const std::uint32_t seam : relating_seams(patches)) {
     relate_around(input, patches, patches.seams()[seam], relations);
@@ -443,7 +443,8 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
   const std::vector<Sample> samples = find_samples(input, subdivision, patches, relations);
   RayCrossings crossings(input);
   std::vector<Counts> front_of_root(patches.size());
-  std::vector<std::int8_t> selection(patches.size(), 0);
+  Selection selection{std::vector<std::int8_t>(patches.size(), 0),
+                      std::vector<std::int8_t>(patches.size(), 0)};
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     const std::uint32_t root = relations.root(p);
     if (samples[root].kind == Sample::Kind::none) {
@@ -458,7 +459,8 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
     const Counts front = sum(front_of_root[root], relations.offset(p));
     const Counts back = sum(front, patches.change(p));
     const bool is_front_inside = rule.inside(front), is_back_inside = rule.inside(back);
-    selection[p] = static_cast<std::int8_t>(int{is_back_inside} - int{is_front_inside});
+    selection.kept[p] = static_cast<std::int8_t>(int{is_back_inside} - int{is_front_inside});
+    selection.outside[p] = !is_front_inside && !is_back_inside ? std::int8_t{1} : std::int8_t{0};
   }
   return selection;
 }

@@ -208,27 +208,46 @@ MergedPoints merge_duplicate_points(const TriMesh& mesh) {
   return {std::move(soup), static_cast<std::size_t>(copies)};
 }
 
-mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const Progress& progress,
-                             std::span<const std::uint8_t> crossing) {
+namespace {
+
+// With labels, and the soup's own numbers for sources.
+mesh::ExactMesh surface_of(const PolygonSoup& soup, const TriMesh& mesh) {
   mesh::ExactMesh surface;
   surface.points = soup.points;
   surface.triangles = soup.triangles;
   surface.names = mesh.names;
-  std::vector<std::uint8_t> is_crossing;
   for (const std::uint32_t face : soup.sources) {
     surface.sources.push_back({0, face});
     if (!mesh.labels.empty()) {
       surface.labels.push_back(mesh.labels[face]);
     }
-    if (!crossing.empty()) {
-      is_crossing.push_back(crossing[face]);
-    }
   }
-  mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface, progress, is_crossing);
+  return surface;
+}
+
+}  // namespace
+
+mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh,
+                             const Progress& progress) {
+  mesh::ExactMesh solid =
+      arrangement::positive_winding_boundary(surface_of(soup, mesh), progress, {});
   for (Source& source : solid.sources) {
     source.triangle = soup.sources[source.triangle];
   }
   return solid;
+}
+
+arrangement::WoundSurface wound_surface(const PolygonSoup& soup, const TriMesh& mesh,
+                                        std::span<const std::uint8_t> crossing) {
+  const std::vector<std::uint8_t> is_crossing = support::selected(crossing, soup.sources);
+  arrangement::WoundSurface wound = arrangement::wound_surface(surface_of(soup, mesh), is_crossing);
+  for (Source& source : wound.boundary.sources) {
+    source.triangle = soup.sources[source.triangle];
+  }
+  for (std::uint32_t& source : wound.outside.sources) {
+    source = soup.sources[source];
+  }
+  return wound;
 }
 
 Cavities turn_shells_outward(PolygonSoup& soup, std::span<const std::uint8_t> is_paired,

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "arrangement/arrange.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/progress.h"
 #include "mesh/exact_mesh.h"
@@ -34,11 +35,13 @@ struct MergedPoints {
 [[nodiscard]] MergedPoints merge_duplicate_points(const TriMesh& mesh);
 
 /// What the soup winds around a positive number of times, with the labels of the mesh it is from;
-/// sources are {0, face of the mesh}. `crossing`: empty, or 1 per face of the mesh that may meet
-/// another one but in common corners and edges. Throws like arrangement::arrange().
+/// sources are {0, face of the mesh}. Throws like arrangement::arrange().
 [[nodiscard]] mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh,
-                                           const Progress& progress = {},
-                                           std::span<const std::uint8_t> crossing = {});
+                                           const Progress& progress = {});
+/// The same, and what of the soup is neither on it nor within. `crossing`: 1 per face of the mesh
+/// that may meet another one but in common corners and edges.
+[[nodiscard]] arrangement::WoundSurface wound_surface(const PolygonSoup& soup, const TriMesh& mesh,
+                                                      std::span<const std::uint8_t> crossing);
 
 /// The shells of negative volume that are the walls of cavities.
 struct Cavities {

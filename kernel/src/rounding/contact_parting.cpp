@@ -201,18 +201,22 @@ std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) con
   if (!(options.tolerance > 0)) {
     return std::nullopt;
   }
-  const auto solid = without_self_crossings(surface.mesh(), surface.sources(), attempt.faults());
-  if (!solid) {
+  const auto cut = without_self_crossings(surface.mesh(), surface.sources(), attempt.faults(),
+                                          step_, options.tolerance / 2);
+  if (!cut) {
     return std::nullopt;
   }
+  options.tolerance -= cut->lost;
   try {
     Rounded again =
-        to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(*solid)), coordinates_, options);
+        to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(cut->solid)), coordinates_, options);
     for (Contact& contact : again.contacts_) {
       contact.from += before.origin;
       contact.to += before.origin;
     }
     again.report_ = one_after_other(before, again.report());
+    again.report_.largest_move += cut->lost;
+    again.report_.removed_shells += cut->lost_shells;
     again.report_.snapped_places.push_back(attempt.place() + before.origin);
     return again;
   } catch (const Error& error) {

@@ -22,6 +22,7 @@ struct PastRounds {
   int thickenings = 0, snaps = 0;
   double moved = 0;              ///< by what was thickened or snapped
   std::size_t moved_points = 0;  ///< likewise
+  std::size_t lost_shells = 0;   ///< of which snaps have left nothing
   Vec3 origin = Vec3::Zero();    ///< that it is given from already
   std::vector<Vec3> filled_places, snapped_places;
   std::size_t least_broken = std::numeric_limits<std::size_t>::max();  ///< before any snap

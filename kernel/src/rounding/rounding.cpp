@@ -18,6 +18,7 @@
 #include "rounding/edits/first_repair.h"
 #include "rounding/edits/mesh_part.h"
 #include "rounding/edits/small_shells.h"
+#include "rounding/edits/thicken_in_slabs.h"
 #include "rounding/misplaced_shells.h"
 #include "rounding/open_slits.h"
 #include "rounding/past_rounds.h"
@@ -42,11 +43,6 @@ constexpr std::size_t kManyFaults = 256;
 
 /// Sliver voids and open slits are filled where narrower: what is wider, the format can tell.
 constexpr double kWidestSlit = 64;  // steps
-
-/// So many triangles of which rounding leaves nothing, and such a part of all, are no accident
-/// either: what is thinner than a step is thickened first. One in so many is looked at.
-constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
-constexpr double kNeedlePart = 1.0 / 32;
 
 /// Where repair with some reach leaves faults (PastRounds::snap_reach), or with less finds that
 /// going on is not worth it, the surface is made a solid again as it is; and that at most so often.
@@ -159,24 +155,13 @@ class Rounding {
                                                  : std::numeric_limits<float>::max();
   }
 
-  [[nodiscard]] bool is_full_of_needles() const {
-    std::size_t needles = 0;
-    for (std::size_t f = 0; f < exact_.triangles.size(); f += kSampled) {
-      const auto& [a, b, c] = exact_.triangles[f];
-      const std::vector<Vec3>& points = rounded_.on_lattice;
-      needles += points[a] == points[b] || points[b] == points[c] || points[c] == points[a] ? 1 : 0;
-    }
-    const auto all = static_cast<double>(exact_.triangles.size());
-    return needles >= kManyNeedles && static_cast<double>(needles * kSampled) >= kNeedlePart * all;
-  }
-
   /// Where parts nearly coincide, a union has more triangles thinner than a step than others, and
   /// rounding folds them over one another. They are collapsed before, among doubles, where they
   /// are not in each other's way, once, and once after slits are filled. None if there are few, or
   /// if that does not do.
   std::optional<Rounded> thickened() {
     if (lattice_.holds_doubles() || past_.thickenings > (past_.has_filled_slits ? 1 : 0) ||
-        !is_full_of_needles()) {
+        !is_full_of_needles({rounded_.on_lattice, exact_.triangles})) {
       return std::nullopt;
     }
     if (past_.has_filled_slits) {
@@ -200,21 +185,37 @@ class Rounding {
     const auto broken =
         left.empty() ? misplaced({mesh.points(), mesh.triangles_of(alive)}, move) : faces_of(left);
     Rounded surface = finished(mesh, alive, {});
-    std::optional<mesh::ExactMesh> solid(std::in_place);
-    if (broken.empty()) {
-      solid->points = std::move(surface.mesh_.points);
-      solid->triangles = std::move(surface.mesh_.triangles);
-      solid->labels = std::move(surface.mesh_.labels);
-      solid->names = exact_.names;
-      solid->sources = std::move(surface.sources_);
-      solid->contacts = exact_.contacts;
-    } else {
+    if (!broken.empty()) {
       past.snapped_places.emplace_back(mesh.point(mesh.triangle(alive[broken[0]])[0]) +
                                        past.origin);
-      solid = without_self_crossings(surface.mesh(), surface.sources(), left);
+      return cut(surface, left, std::move(past));
     }
-    return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
-                 : std::nullopt;
+    mesh::ExactMesh solid;
+    solid.points = std::move(surface.mesh_.points);
+    solid.triangles = std::move(surface.mesh_.triangles);
+    solid.labels = std::move(surface.mesh_.labels);
+    solid.names = exact_.names;
+    solid.sources = std::move(surface.sources_);
+    solid.contacts = exact_.contacts;
+    return Rounding(solid, coordinates_, options_, std::move(past)).run();
+  }
+
+  /// The surface made a solid again where it crosses itself, and rounded. None if nothing is left,
+  /// or if what is lost is further away from it than the rest of the tolerance.
+  std::optional<Rounded> cut(const Rounded& surface, std::span<const Fault> faults,
+                             PastRounds past) const {
+    const double most = tolerance_ - past.distance() - kReachGrowth * step_;
+    if (!(most > 0)) {
+      return std::nullopt;
+    }
+    const auto made =
+        without_self_crossings(surface.mesh(), surface.sources(), faults, step_, most);
+    if (!made) {
+      return std::nullopt;
+    }
+    past.moved += made->lost;
+    past.lost_shells += made->lost_shells;
+    return Rounding(made->solid, coordinates_, options_, std::move(past)).run();
   }
 
   /// Fills slits and voids, repairs and snaps, as far as the tolerance allows.
@@ -354,12 +355,7 @@ class Rounding {
                                      past_.origin);
     past.origin += origin_;
     past.count_snap(left.size());
-    if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
-      return std::nullopt;
-    }
-    const auto solid = without_self_crossings(surface.mesh(), surface.sources(), faults);
-    return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
-                 : std::nullopt;
+    return cut(surface, faults, std::move(past));
   }
 
   [[nodiscard]] BrokenMesh whole() const {
@@ -434,6 +430,7 @@ Rounded Rounding::with_report(RoundingReport report, std::size_t triangles) cons
   report.origin = origin_ + past_.origin;
   report.removed_triangles = past_.triangles - std::min(past_.triangles, triangles);
   report.moved += past_.moved_points;
+  report.removed_shells += past_.lost_shells;
   report.slit_width = std::max(past_.void_width, past_.slit_reach);
   report.filled_places = past_.filled_places;
   report.snapped_places = past_.snapped_places;

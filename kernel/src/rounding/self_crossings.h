@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -9,10 +10,22 @@
 
 namespace dupin::rounding {
 
-/// The solid that the surface winds around a positive number of times; none if there is nothing.
-/// Its faces meet in common corners and edges only, but for the `faults`; only these are cut.
-[[nodiscard]] std::optional<mesh::ExactMesh> without_self_crossings(const TriMesh& surface,
-                                                                    std::span<const Source> sources,
-                                                                    std::span<const Fault> faults);
+/// What is left of a surface that crossed itself.
+struct CutSurface {
+  mesh::ExactMesh solid;
+  /// How far from it any place of the surface that is not in it may be, at most: sheets that became
+  /// one, or turned inside out, are gone.
+  double lost = 0;
+  std::size_t lost_shells = 0;  ///< of which nothing is left
+};
+
+/// The solid that the surface winds around a positive number of times; none if there is nothing, or
+/// if something is lost that may be further from it than `most`. Its faces meet in common corners
+/// and edges only, but for the `faults`; only these are cut. What is lost is measured from `step`
+/// on.
+[[nodiscard]] std::optional<CutSurface> without_self_crossings(const TriMesh& surface,
+                                                               std::span<const Source> sources,
+                                                               std::span<const Fault> faults,
+                                                               double step, double most);
 
 }  // namespace dupin::rounding

@@ -24,7 +24,7 @@ Duplicated duplicated(const std::vector<TriMesh>& solids, const BooleanRule& rul
   const Subdivision subdivision = stages.subdivision(stages.incidences());
   const ManifoldPatches patches(stages.input, rule, subdivision);
   Duplicated result;
-  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches);
+  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches).kept;
   result.before =
       collect_output_triangles(stages.input, stages.triangulated(subdivision), patches, selection);
   result.after = result.before;

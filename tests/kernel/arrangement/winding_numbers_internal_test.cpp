@@ -23,7 +23,7 @@ Selected selected(const std::vector<TriMesh>& solids, const BooleanRule& rule) {
   const Subdivision subdivision = stages.subdivision(stages.incidences());
   const ManifoldPatches patches(stages.input, rule, subdivision);
   Selected result;
-  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches);
+  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches).kept;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     ++result.patches;
     result.kept += selection[p] == 1 ? 1 : 0;

@@ -31,13 +31,15 @@ TEST(SelfCrossings, are_cut_away) {
       faults.push_back({f, g});
     }
   }
-  const auto mesh = without_self_crossings(kCrossing, sources_of(kCrossing), faults);
-  ASSERT_TRUE(mesh);
-  for (const Source& source : mesh->sources) {
+  const auto cut = without_self_crossings(kCrossing, sources_of(kCrossing), faults, .1, 1);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->lost, 0);
+  EXPECT_EQ(cut->lost_shells, 0);
+  for (const Source& source : cut->solid.sources) {
     EXPECT_EQ(source.operand, 7);
     EXPECT_LT(source.triangle, kCrossing.triangles.size());
   }
-  const Solid united = solid(*mesh);
+  const Solid united = solid(cut->solid);
   EXPECT_EQ(united.exact_volume(), 16);
   EXPECT_EQ(united.components(), 2);
 }
@@ -54,16 +56,16 @@ TEST(SelfCrossings, go_with_triangles_without_area_and_points_that_coincide) {
   mesh.triangles.push_back({a, b, middle});
   const std::uint32_t flat = 13;
   const auto closed =
-      without_self_crossings(mesh, sources_of(mesh), std::vector<Fault>{{flat, flat}});
+      without_self_crossings(mesh, sources_of(mesh), std::vector<Fault>{{flat, flat}}, .1, 1);
   ASSERT_TRUE(closed);
-  const Solid box = solid(*closed);
+  const Solid box = solid(closed->solid);
   EXPECT_EQ(box.exact_volume(), 8);
   EXPECT_EQ(box.components(), 1);
 }
 
 TEST(SelfCrossings, leave_nothing_of_what_is_inside_out) {
   const TriMesh mesh = test::reversed(test::box(Vec3(0, 0, 0), Vec3(2, 2, 2)));
-  EXPECT_FALSE(without_self_crossings(mesh, sources_of(mesh), {}));
+  EXPECT_FALSE(without_self_crossings(mesh, sources_of(mesh), {}, .1, 1));
 }
 
 }  // namespace

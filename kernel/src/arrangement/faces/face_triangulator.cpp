@@ -355,7 +355,7 @@ std::vector<SignedTriangle> FaceTriangulator::signed_cover(
 template <class Emit>
 void FaceTriangulator::emit_single(FaceSubdivision& result, Emit&& emit) const {
   const std::vector<SignedTriangle> cover = signed_cover(members_);
-  if (changes_nothing(winding_change(input_, rule_, cover))) {
+  if (is_cancelled(input_, rule_, cover)) {
     return;
   }
   result.local.covers.insert(result.local.covers.end(), cover.begin(), cover.end());
@@ -375,7 +375,7 @@ void FaceTriangulator::emit_overlapping(FaceSubdivision& result) const {
   Subdivision& local = result.local;
   for (std::uint32_t region = 0; region < covers.size(); ++region) {
     std::vector<SignedTriangle> cover = signed_cover(covers[region]);
-    if (changes_nothing(winding_change(input_, rule_, cover))) {
+    if (is_cancelled(input_, rule_, cover)) {
       continue;
     }
     // A region of one triangle takes its orientation: it may be joined to others around a corner.

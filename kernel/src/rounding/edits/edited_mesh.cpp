@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/surface_distance.h"
 #include "mesh/used_points.h"
 #include "support/blocks.h"
 #include "support/none.h"
@@ -40,6 +41,20 @@ double overhang(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return (q - p).cross(r - p).dot(normal) > 0 ? 0 : least_height(p, q, r);
   };
   return std::max(reach_out(a, d, c), reach_out(d, b, c));
+}
+
+/// How far from the triangles on both sides of c d places of those on both sides of a b are, if
+/// these lie on each other, folded along a b: no further than a b, anywhere, is from c d, as there
+/// all four can be cut into triangles that have two corners in common with one of the others.
+double fold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 along = b - a;
+  if (!(along.cross(c - a).dot(along.cross(d - a)) > 0)) {
+    return 0;
+  }
+  const auto distance = [](const Vec3& p, const Vec3& from, const Vec3& to) {
+    return (mesh::nearest_on_triangle(p, from, to, to) - p).norm();
+  };
+  return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
 /// The least height of a tetrahedron: how far the flip of one of its edges moves the surface, if
@@ -287,7 +302,7 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
   }
   const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
   const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd) +
-                       overhang(pa, pb, pc, pd);
+                       overhang(pa, pb, pc, pd) + fold(pa, pb, pc, pd);
   const double mine = area(pa, pb, pc), others = area(pa, pb, pd);
   const bool mixes = !labels_.empty() && labels_[parent_[face]] != labels_[parent_[*across]];
   const bool needle = 2 * std::min(mine, others) <= rule.reach * (pa - pb).norm();

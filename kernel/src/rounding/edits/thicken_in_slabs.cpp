@@ -109,6 +109,19 @@ std::vector<std::uint32_t> faces_at_borders(const EditedMesh& mesh, const Broken
 
 }  // namespace
 
+bool is_full_of_needles(const mesh::MeshView& rounded) {
+  constexpr std::size_t kSampled = 16, kMany = 16;
+  constexpr double kPart = 1.0 / 32;
+  const auto points = rounded.points;
+  std::size_t needles = 0;
+  for (std::size_t f = 0; f < rounded.triangles.size(); f += kSampled) {
+    const auto& [a, b, c] = rounded.triangles[f];
+    needles += points[a] == points[b] || points[b] == points[c] || points[c] == points[a] ? 1 : 0;
+  }
+  const auto all = static_cast<double>(rounded.triangles.size());
+  return needles >= kMany && static_cast<double>(needles * kSampled) >= kPart * all;
+}
+
 std::vector<std::uint32_t> thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& original,
                                             double reach) {
   const std::size_t count = std::min(original.triangles.size() / kTriangles, kMostSlabs);

@@ -3,10 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/exact_mesh.h"
 #include "rounding/edits/edited_mesh.h"
 #include "rounding/edits/mesh_part.h"
 
 namespace dupin::rounding {
+
+/// Whether rounding, to these points, leaves nothing of so many triangles, and of such a part of
+/// all, that it is no accident: what is thinner than a step is thickened first. One triangle in
+/// some is looked at.
+[[nodiscard]] bool is_full_of_needles(const mesh::MeshView& rounded);
 
 /// thicken() of the faces of a mesh as given, by several threads: in slabs of about as many points,
 /// each as a mesh of its own. Returns those that are left, at their borders, for thicken() of the
