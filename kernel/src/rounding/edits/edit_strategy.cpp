@@ -172,12 +172,18 @@ class Mending {
 
   [[nodiscard]] bool has_changed_around(const Faces& faces, Effort effort,
                                         std::uint64_t since) const {
-    Faces around = with_neighbours(mesh_, faces);
-    if (effort == Effort::edges_around) {
-      around = with_neighbours(mesh_, around);
+    if (mesh_.edits() == since) {
+      return false;
     }
-    return std::ranges::any_of(around,
-                               [&](std::uint32_t face) { return mesh_.last_edit(face) > since; });
+    const auto is_edited = [&](std::uint32_t face) { return mesh_.last_edit(face) > since; };
+    const auto is_edited_at = [&](std::uint32_t face) {
+      return mesh_.alive(face) && std::ranges::any_of(mesh_.triangle(face), [&](std::uint32_t v) {
+               return std::ranges::any_of(mesh_.faces(v), is_edited);
+             });
+    };
+    return effort == Effort::edges_around
+               ? std::ranges::any_of(with_neighbours(mesh_, faces), is_edited_at)
+               : std::ranges::any_of(faces, is_edited_at);
   }
 
   EditedMesh& mesh_;

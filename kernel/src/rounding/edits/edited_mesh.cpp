@@ -255,6 +255,10 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
       !collapsible(from, to)) {
     return false;
   }
+  const TriedEdit edit{.kind = TriedEdit::Kind::collapse, .what = from, .how = to};
+  if (is_vain(edit, all, rule)) {
+    return false;
+  }
   std::vector<std::uint32_t> dying, changing;
   for (const std::uint32_t f : all) {
     (has(triangles_[f], to) ? dying : changing).push_back(f);
@@ -265,7 +269,7 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
   for (const std::uint32_t f : changing) {
     triangles_[f] = replaced(triangles_[f], from, to);
   }
-  if (!settle(all, changing, rule)) {
+  if (!settle(edit, all, changing, rule)) {
     for (const std::uint32_t f : dying) {
       alive_[f] = 1;
     }
@@ -309,10 +313,15 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
   if (!(moved <= rule.reach) || (mixes && !needle)) {
     return false;
   }
+  const TriedEdit edit{
+      .kind = TriedEdit::Kind::flip, .what = face, .how = static_cast<std::uint32_t>(edge)};
+  if (is_vain(edit, pair, rule)) {
+    return false;
+  }
   const std::array<Triangle, 2> before = {triangles_[face], triangles_[*across]};
   triangles_[face] = {a, d, c};
   triangles_[*across] = {d, b, c};
-  if (!settle(pair, pair, rule)) {
+  if (!settle(edit, pair, pair, rule)) {
     triangles_[face] = before[0];
     triangles_[*across] = before[1];
     return false;
@@ -334,9 +343,13 @@ bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule
   if (fixed_[vertex] != 0 || moved > rule.reach || !tracker_.may_try(now(), around, rule.faults)) {
     return false;
   }
+  const TriedEdit edit{.kind = TriedEdit::Kind::move, .what = vertex, .place = position};
+  if (is_vain(edit, around, rule)) {
+    return false;
+  }
   const Vec3 before = points_[vertex];
   points_[vertex] = position;
-  if (!settle(around, around, rule)) {
+  if (!settle(edit, around, around, rule)) {
     points_[vertex] = before;
     return false;
   }
@@ -344,10 +357,25 @@ bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule
   return true;
 }
 
+/// Whether an edit of the faces would be refused as it was before; that counts as a trial, too.
+bool EditedMesh::is_vain(const TriedEdit& edit, std::span<const std::uint32_t> faces,
+                         const EditRule& rule) {
+  const std::size_t faults =
+      rule.faults == FaultRule::fewer ? vain_.faults_of(edit, faces, last_edit_) : 0;
+  if (faults == 0 || faults < tracker_.count_of(faces)) {
+    return false;
+  }
+  tracker_.count_trial();
+  return true;
+}
+
 /// Decides on an edit that has been made for trial.
-bool EditedMesh::settle(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
-                        const EditRule& rule) {
+bool EditedMesh::settle(const TriedEdit& edit, std::span<const std::uint32_t> before,
+                        std::span<const std::uint32_t> after, const EditRule& rule) {
   const bool accepted = tracker_.accept(now(), before, after, rule.faults);
+  if (!accepted && rule.faults == FaultRule::fewer) {
+    vain_.refuse(edit, edits_, tracker_.found());
+  }
   if (accepted) {
     edited_.insert(edited_.end(), after.begin(), after.end());
     ++edits_;
@@ -358,6 +386,7 @@ bool EditedMesh::settle(std::span<const std::uint32_t> before, std::span<const s
 
 void EditedMesh::remove(std::span<const std::uint32_t> faces) {
   tracker_.remove(faces);
+  vain_.clear();
   for (const std::uint32_t f : faces) {
     alive_[f] = 0;
     for (const std::uint32_t v : triangles_[f]) {
@@ -390,6 +419,7 @@ void EditedMesh::take_over(const EditedMesh& part, std::span<const std::uint32_t
   }
   edits_ += part.edits_;
   tracker_.points_have_moved();
+  vain_.clear();
   tracker_.add(renumbered(part.faults(), faces));
 }
 
@@ -401,6 +431,7 @@ void EditedMesh::place(std::span<const Vec3> points) {
     }
   });
   tracker_.points_have_moved();
+  vain_.clear();
 }
 
 std::vector<std::uint32_t> EditedMesh::take_edited() {

@@ -7,6 +7,7 @@
 
 #include "dupin/kernel/mesh.h"
 #include "rounding/edits/fault_tracker.h"
+#include "rounding/edits/vain_edits.h"
 #include "support/bulk_vector.h"
 
 namespace dupin::rounding {
@@ -105,7 +106,9 @@ class EditedMesh {
     return {{points_, triangles_, representatives_}, alive_};
   }
   [[nodiscard]] bool all_complete(std::span<const std::uint32_t> points) const;
-  [[nodiscard]] bool settle(std::span<const std::uint32_t> before,
+  [[nodiscard]] bool is_vain(const TriedEdit& edit, std::span<const std::uint32_t> faces,
+                             const EditRule& rule);
+  [[nodiscard]] bool settle(const TriedEdit& edit, std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> after, const EditRule& rule);
   [[nodiscard]] bool collapsible(std::uint32_t from, std::uint32_t to) const;
   void set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces);
@@ -127,6 +130,7 @@ class EditedMesh {
   support::BulkVector<std::uint32_t> slice_start_, slices_, own_list_;
   std::vector<std::vector<std::uint32_t>> lists_;
   FaultTracker tracker_;
+  VainEdits vain_;
   std::vector<std::uint32_t> edited_;
 };
 

@@ -14,19 +14,29 @@ namespace {
 
 Fault fault_of(std::uint32_t f, std::uint32_t g) { return {std::min(f, g), std::max(f, g)}; }
 
-/// Appends faults of the tested faces with `hot` and among each other, until there are `limit`.
+/// Appends a fault that is none of the first `count`.
+void append_new(const Fault& fault, std::size_t count, std::vector<Fault>& faults) {
+  const auto first = std::span(faults).first(count);
+  if (std::ranges::find(first, fault) == first.end()) {
+    faults.push_back(fault);
+  }
+}
+
+/// Appends faults of the tested faces with `hot` and among each other that are not there yet, until
+/// there are `limit`.
 void look_nearby(const Embedding& mesh, std::deque<FaultTest>& tests,
                  const std::vector<std::uint32_t>& hot, std::size_t limit,
                  std::vector<Fault>& found) {
+  const std::size_t expected = found.size();
   const auto look_at = [&](FaultTest& test, std::uint32_t g) {
     if (found.size() < limit && !test.is_apart_from(g) && !is_degenerate(mesh, g) &&
         test.is_faulty_with(g)) {
-      found.push_back(fault_of(test.face(), g));
+      append_new(fault_of(test.face(), g), expected, found);
     }
   };
   for (FaultTest& test : tests) {
     if (test.is_degenerate()) {
-      found.push_back({test.face(), test.face()});
+      append_new({test.face(), test.face()}, expected, found);
     } else {
       std::ranges::for_each(hot, [&](std::uint32_t g) { look_at(test, g); });
     }
@@ -311,11 +321,13 @@ bool FaultTracker::may_try(const Mesh& mesh, std::span<const std::uint32_t> face
   return may;
 }
 
-/// Appends faults between the tested faces and all others but `hot`, until there are `limit`.
+/// Appends faults between the tested faces and all others but `hot` that are not there yet, until
+/// there are `limit`.
 void FaultTracker::look_everywhere(const Mesh& mesh, std::deque<FaultTest>& tests,
                                    const std::vector<std::uint32_t>& hot, std::size_t limit,
                                    std::vector<Fault>& found) {
   const Embedding& all = mesh.embedding;
+  const std::size_t expected = found.size();
   ++searches_;
   for (const FaultTest& test : tests) {
     stamp_[test.face()] = searches_;
@@ -351,7 +363,7 @@ void FaultTracker::look_everywhere(const Mesh& mesh, std::deque<FaultTest>& test
         FaultTest& test = tests[kSize * quad + static_cast<std::size_t>(std::countr_zero(bits))];
         // Few are left that it is worth asking whether they are degenerate.
         if (!test.is_apart_from(g) && !is_degenerate(all, g) && test.is_faulty_with(g)) {
-          found.push_back(fault_of(test.face(), g));
+          append_new(fault_of(test.face(), g), expected, found);
         }
       }
     }
@@ -359,34 +371,90 @@ void FaultTracker::look_everywhere(const Mesh& mesh, std::deque<FaultTest>& test
   });
 }
 
+/// Faces that are likely to be in faults with the edited ones: those that were, and those that
+/// edits before of the same faces were refused for. They make no difference but of time.
+std::vector<std::uint32_t> FaultTracker::hot_faces(const Mesh& mesh,
+                                                   std::span<const std::uint32_t> before,
+                                                   std::span<const Fault> known) {
+  const auto append_others = [&](std::span<const Fault> faults, std::vector<std::uint32_t>& faces) {
+    for (const Fault& fault : faults) {
+      for (const std::uint32_t f : {fault.first, fault.second}) {
+        if (std::ranges::find(before, f) == before.end()) {
+          faces.push_back(f);
+        }
+      }
+    }
+  };
+  if (std::ranges::equal(before, tried_)) {
+    append_others(found_, suspects_);
+    support::sort_unique(suspects_);
+  } else {
+    tried_.assign(before.begin(), before.end());
+    suspects_.clear();
+  }
+  std::vector<std::uint32_t> hot = suspects_;
+  append_others(known, hot);
+  std::erase_if(hot, [&](std::uint32_t f) { return mesh.alive[f] == 0; });
+  support::sort_unique(hot);
+  return hot;
+}
+
+/// Finds faults of the tested faces, until there are `limit`, among those that the edit before was
+/// refused for, which mostly is one of the same faces, and among the known ones.
+void FaultTracker::find_expected(const Mesh& mesh, std::deque<FaultTest>& tests,
+                                 std::span<const Fault> known, std::size_t limit) {
+  std::vector<Fault> expected = std::move(found_);
+  found_.clear();
+  for (const Fault& fault : known) {
+    append_new(fault, expected.size(), expected);
+  }
+  const auto test_of = [&](std::uint32_t f) {
+    return std::ranges::find(tests, f, &FaultTest::face);
+  };
+  for (std::size_t i = 0; i < expected.size() && found_.size() < limit; ++i) {
+    auto test = test_of(expected[i].first);
+    std::uint32_t other = expected[i].second;
+    if (test == tests.end()) {
+      test = test_of(other);
+      other = expected[i].first;
+    }
+    if (test == tests.end() || mesh.alive[other] == 0) {
+      continue;
+    }
+    const bool is_fault = test->face() == other
+                              ? test->is_degenerate()
+                              : !test->is_degenerate() && !test->is_apart_from(other) &&
+                                    !is_degenerate(mesh.embedding, other) &&
+                                    test->is_faulty_with(other);
+    if (is_fault) {
+      found_.push_back(expected[i]);
+    }
+  }
+}
+
 bool FaultTracker::accept(const Mesh& mesh, std::span<const std::uint32_t> before,
                           std::span<const std::uint32_t> after, FaultRule rule) {
   ++trials_;
   const std::vector<Fault> known = known_of(before);
   const std::size_t limit = rule == FaultRule::none ? 1 : known.size();
-  std::vector<std::uint32_t> hot;  // where a bad edit shows first
-  for (const Fault& fault : known) {
-    for (const std::uint32_t f : {fault.first, fault.second}) {
-      if (mesh.alive[f] != 0 && std::ranges::find(before, f) == before.end()) {
-        hot.push_back(f);
-      }
-    }
-  }
-  support::sort_unique(hot);
+  const std::vector<std::uint32_t> hot = hot_faces(mesh, before, known);
   std::deque<FaultTest> tests;
   for (const std::uint32_t f : after) {
     tests.emplace_back(mesh.embedding, f);
   }
-  std::vector<Fault> found;
-  look_nearby(mesh.embedding, tests, hot, limit, found);
-  if (found.size() < limit) {
-    look_everywhere(mesh, tests, hot, limit, found);
+  // Only their number counts: so those come first that are likely to be found.
+  find_expected(mesh, tests, known, limit);
+  if (found_.size() < limit) {
+    look_nearby(mesh.embedding, tests, hot, limit, found_);
   }
-  if (found.size() >= limit) {
+  if (found_.size() < limit) {
+    look_everywhere(mesh, tests, hot, limit, found_);
+  }
+  if (found_.size() >= limit) {
     return false;
   }
   std::ranges::for_each(known, [&](const Fault& fault) { forget(fault); });
-  std::ranges::for_each(found, [&](const Fault& fault) { remember(fault); });
+  std::ranges::for_each(found_, [&](const Fault& fault) { remember(fault); });
   for (const std::uint32_t f : after) {
     tree_->grow(f, box(mesh, f), framed(mesh, f));
   }

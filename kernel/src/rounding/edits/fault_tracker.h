@@ -130,8 +130,15 @@ class FaultTracker {
   /// of them. If accepted, the books are brought up to date; else the edit is to be undone.
   [[nodiscard]] bool accept(const Mesh& mesh, std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> after, FaultRule rule);
-  /// How often that has been asked.
+  /// Faults after the last edit: if it was refused, not fewer than before.
+  [[nodiscard]] std::span<const Fault> found() const { return found_; }
+  /// How often that has been asked, or the answer was known.
   [[nodiscard]] std::uint64_t trials() const { return trials_; }
+  void count_trial() { ++trials_; }
+  /// The number of known faults that involve one of the faces.
+  [[nodiscard]] std::size_t count_of(std::span<const std::uint32_t> faces) const {
+    return known_of(faces).size();
+  }
 
   /// Forgets the faults of faces that go.
   void remove(std::span<const std::uint32_t> faces);
@@ -146,6 +153,11 @@ class FaultTracker {
   boxes::BoxTree& tree(const Mesh& mesh);
   void find_of(const Mesh& mesh, std::uint32_t face, std::span<const std::uint8_t> marked);
   [[nodiscard]] std::vector<Fault> known_of(std::span<const std::uint32_t> faces) const;
+  [[nodiscard]] std::vector<std::uint32_t> hot_faces(const Mesh& mesh,
+                                                     std::span<const std::uint32_t> before,
+                                                     std::span<const Fault> known);
+  void find_expected(const Mesh& mesh, std::deque<FaultTest>& tests, std::span<const Fault> known,
+                     std::size_t limit);
   void look_everywhere(const Mesh& mesh, std::deque<FaultTest>& tests,
                        const std::vector<std::uint32_t>& hot, std::size_t limit,
                        std::vector<Fault>& found);
@@ -160,6 +172,9 @@ class FaultTracker {
   support::BulkVector<std::uint32_t> stamp_;
   std::uint32_t searches_ = 0;
   std::uint64_t trials_ = 0;
+  std::vector<Fault> found_;  // after the last edit
+  // The faces before the last edit, and others that edits of them in a row were refused for.
+  std::vector<std::uint32_t> tried_, suspects_;
 };
 
 }  // namespace dupin::rounding
