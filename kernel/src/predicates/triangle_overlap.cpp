@@ -197,8 +197,8 @@ Vec3 longest_edge(const Corners& t) {
 /// Whether a plane along the longest edges of both certainly has one triangle on one side and the
 /// other on the other: nearly always so where long triangles pass over each other. Whatever the
 /// normal is, rounded as it may be, only the products with it have to be certain.
-bool certainly_apart_across(const Corners& a, const Corners& b) {
-  const Vec3 normal = longest_edge(a).cross(longest_edge(b)), size = normal.cwiseAbs();
+bool certainly_apart_across(const Corners& a, const Vec3& longest_of_a, const Corners& b) {
+  const Vec3 normal = longest_of_a.cross(longest_edge(b)), size = normal.cwiseAbs();
   double sizes = 0;  // of all products; no number where one of them is none
   const auto along = [&](const Vec3& p) {
     const Vec3 from = p - a[0];
@@ -342,7 +342,18 @@ TriangleOverlapTest::TriangleOverlapTest(std::span<const Vec3> points, const Tri
     : points_(points),
       corners_(corners),
       plane_(points[corners[0]], points[corners[1]], points[corners[2]]),
-      edges_({points[corners[0]], points[corners[1]], points[corners[2]]}, plane_.main_axis()) {}
+      edges_({points[corners[0]], points[corners[1]], points[corners[2]]}, plane_.main_axis()),
+      longest_(longest_edge({points[corners[0]], points[corners[1]], points[corners[2]]})) {}
+
+bool TriangleOverlapTest::certainly_apart_from(const std::array<Vec3, 3>& b) const {
+  for (int k = 0; k < 3; ++k) {
+    if (edges_.is_beyond(k, b[0]) && edges_.is_beyond(k, b[1]) && edges_.is_beyond(k, b[2])) {
+      return true;
+    }
+  }
+  return certainly_apart_across({points_[corners_[0]], points_[corners_[1]], points_[corners_[2]]},
+                                longest_, b);
+}
 
 bool TriangleOverlapTest::is_degenerate() const {
   const auto& [a, b, c] = corners_;
@@ -420,18 +431,10 @@ TriangleOverlap TriangleOverlapTest::sharing_one(int mine, const Triangle& other
 TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
   const Corners b = {points_[other[0]], points_[other[1]], points_[other[2]]};
   const Sides certain_b = {plane_.side(b[0]), plane_.side(b[1]), plane_.side(b[2])};
-  if (common_sign(certain_b) != 0) {
+  if (common_sign(certain_b) != 0 || certainly_apart_from(b)) {
     return TriangleOverlap::none;
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (edges_.is_beyond(k, b[0]) && edges_.is_beyond(k, b[1]) && edges_.is_beyond(k, b[2])) {
-      return TriangleOverlap::none;
-    }
   }
   const Corners a = {points_[corners_[0]], points_[corners_[1]], points_[corners_[2]]};
-  if (certainly_apart_across(a, b)) {
-    return TriangleOverlap::none;
-  }
   const PlaneFilter plane(b[0], b[1], b[2]);
   const Sides certain_a = {plane.side(a[0]), plane.side(a[1]), plane.side(a[2])};
   if (common_sign(certain_a) != 0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "dupin/kernel/mesh.h"
@@ -31,6 +32,9 @@ class TriangleOverlapTest {
   [[nodiscard]] bool is_degenerate() const;
   /// On which side of the triangle's plane a point certainly lies, else 0.
   [[nodiscard]] int certain_side(const Vec3& point) const { return plane_.side(point); }
+  /// Whether a line seen along an axis, or a plane, certainly has the triangle on one side and
+  /// another one, which may be degenerate, on the other.
+  [[nodiscard]] bool certainly_apart_from(const std::array<Vec3, 3>& other) const;
   [[nodiscard]] TriangleOverlap meeting(const Triangle& other) const;
 
  private:
@@ -42,6 +46,7 @@ class TriangleOverlapTest {
   Triangle corners_;
   PlaneFilter plane_;
   EdgeFilter edges_;  // seen along the plane's main axis
+  Vec3 longest_;      // of the edges
 };
 
 }  // namespace dupin::predicates

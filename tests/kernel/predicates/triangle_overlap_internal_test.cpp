@@ -108,6 +108,7 @@ TEST(TriangleOverlapTest, finds_what_clipping_finds_on_a_coarse_grid) {
   std::mt19937 random(13);
   std::array<int, 3> seen{};
   std::array<int, 4> shared{};
+  int apart = 0;
   for (int round = 0; round < 20000; ++round) {
     std::vector<Vec3> points;
     std::array<Triangle, 2> triangles{};
@@ -136,7 +137,12 @@ TEST(TriangleOverlapTest, finds_what_clipping_finds_on_a_coarse_grid) {
     ++seen[static_cast<std::size_t>(expected)];
     ASSERT_EQ(TriangleOverlapTest(points, triangles[0]).meeting(triangles[1]), expected) << round;
     ASSERT_EQ(TriangleOverlapTest(points, triangles[1]).meeting(triangles[0]), expected) << round;
+    const bool is_apart =
+        TriangleOverlapTest(points, triangles[0]).certainly_apart_from(corners[1]);
+    ASSERT_FALSE(is_apart && (common > 0 || expected != TriangleOverlap::none)) << round;
+    apart += is_apart ? 1 : 0;
   }
+  EXPECT_GT(apart, 1000);
   for (const int count : seen) {
     EXPECT_GT(count, 500) << "each kind occurs";
   }

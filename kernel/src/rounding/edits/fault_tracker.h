@@ -50,21 +50,28 @@ class FaultTest {
 
   [[nodiscard]] std::uint32_t face() const { return face_; }
   [[nodiscard]] bool is_degenerate() const { return test_.is_degenerate(); }
-  /// Whether another one certainly is no fault with the triangle, since it meets its plane in
-  /// nothing but the points they have in common: all others lie on one side, and there is one.
+  /// Whether another one certainly is no fault with the triangle: it meets its plane in nothing but
+  /// the points they have in common, since all others lie on one side, and there is one; or there
+  /// is a plane between them.
   [[nodiscard]] bool is_apart_from(std::uint32_t other) const {
     const auto& [a, b, c] = mesh_.triangles[face_];
+    const Triangle& others = mesh_.triangles[other];
     int side = 0;
-    for (const std::uint32_t v : mesh_.triangles[other]) {
-      if (v != a && v != b && v != c) {
+    bool shares = false, is_beside = true;
+    for (const std::uint32_t v : others) {
+      if (v == a || v == b || v == c) {
+        shares = true;
+      } else if (is_beside) {
         const int here = test_.certain_side(mesh_.points[v]);
-        if (here == 0 || here == -side) {
-          return false;
-        }
+        is_beside = here != 0 && here != -side;
         side = here;
       }
     }
-    return side != 0;
+    if (shares || is_beside) {
+      return is_beside && side != 0;
+    }
+    const std::span<const Vec3> points = mesh_.points;
+    return test_.certainly_apart_from({points[others[0]], points[others[1]], points[others[2]]});
   }
   /// Whether the triangle and another one, none of them degenerate, are a fault.
   [[nodiscard]] bool is_faulty_with(std::uint32_t other);
