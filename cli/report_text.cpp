@@ -255,6 +255,11 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
     print_row(out, "snapped",
               counted(snapped.size(), "time") + ", first at " + place_text(snapped.front()));
   }
+  if (report.rounding.removed_shells > 0) {
+    print_row(out, "removed",
+              counted(report.rounding.removed_shells, "shell") +
+                  " that the numbers of the format cannot hold");
+  }
   if (!report.rounding.thin_shells.empty()) {
     print_row(out, "warning", thin_shells_text(report.rounding.thin_shells, unit));
   }

@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 15\n";
+constexpr std::string_view kMark = "dupin district 16\n";
 
 class Writer {
  public:

@@ -64,6 +64,7 @@ TEST(ReportText, an_output_tells_only_what_happened) {
   report.rounding.filled_places = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
   report.rounding.snapped_places = {Vec3(7, 8, 9)};
   report.rounding.slit_width = 0.25;
+  report.rounding.removed_shells = 2;
   report.rounding.thin_shells = {{Vec3(4, 5, 6), 0.01, 0.0625}, {Vec3(7, 5, 6), 0.02, 0.0625}};
   report.rounding.origin = Vec3(1, 2, 3);
   report.simplification = {12, 0.125};
@@ -74,6 +75,9 @@ TEST(ReportText, an_output_tells_only_what_happened) {
   EXPECT_THAT(
       text, HasSubstr("slits                2 filled, at most 0.25 mm wide, first at (1, 2, 3)\n"));
   EXPECT_THAT(text, HasSubstr("snapped              1 time, first at (7, 8, 9)\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("removed              2 shells that the numbers of the format cannot hold\n"));
   EXPECT_THAT(text, HasSubstr("warning              rounding moves points by up to 0.0625 mm, more "
                               "than the shell there is thick, 0.01 mm, at (4, 5, 6), and in 1 "
                               "other shell\n"));

@@ -8,8 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/interior_point.h"
+#include "support/mesh_distance.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -169,6 +172,72 @@ TEST(ToMesh, leaves_out_shells_that_are_too_small) {
 }
 
 /// Tetrahedra of a few float steps that rounding may flatten or turn inside out.
+// Of a box and a plate that is thinner than a step and lies askew, all but some scraps may go.
+TEST(ToMesh, loses_nothing_further_away_than_it_says) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> angle(0, .6), thickness(.05, .9);
+  std::size_t refused = 0, gone = 0;
+  for (int round = 0; round < 30; ++round) {
+    TriMesh plate = test::box(Vec3(0, 0, 0), Vec3(100, 100, thickness(random)));
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle(random), Vec3::UnitX()) *
+                                  Eigen::AngleAxisd(angle(random), Vec3::UnitY()))
+                                     .toRotationMatrix();
+    for (Vec3& point : plate.points) {
+      point = turn * point + Vec3(0, 0, 50);
+    }
+    const TriMesh box = test::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const TriMesh whole = test::joined({box, plate});
+    RoundingOptions options{.tolerance = round % 2 == 0 ? 0.0 : 20, .output_grid = 1};
+    try {
+      const Rounded rounded = to_mesh(Solid::from(whole), Coordinates::binary64, options);
+      const TriMesh& mesh = rounded.mesh();
+      for (const auto& [a, b, c] : plate.triangles) {
+        const Vec3 &p = plate.points[a], &q = plate.points[b], &r = plate.points[c];
+        for (const Vec3& place : {p, Vec3((p + q) / 2), Vec3((p + q + r) / 3)}) {
+          EXPECT_LE(test::distance_to(place, mesh), rounded.report().largest_move) << round;
+        }
+      }
+      EXPECT_EQ(check(mesh).components + rounded.report().removed_shells, 2) << round;
+      gone += rounded.report().removed_shells;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::unroundable);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(gone, 0);
+}
+
+TEST(ToMesh, loses_no_more_of_a_thin_flange_than_it_says) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> angle(0, 1.5), thickness(2e-4, 6e-4);
+  for (int round = 0; round < 24; ++round) {
+    std::vector<TriMesh> parts{test::tube(30, 0, 80, 13),
+                               test::tube(50, 40, 40 + thickness(random), 16)};
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle(random), Vec3::UnitX()) *
+                                  Eigen::AngleAxisd(angle(random), Vec3::UnitY()))
+                                     .toRotationMatrix();
+    std::vector<Solid> solids;
+    for (TriMesh& part : parts) {
+      for (Vec3& point : part.points) {
+        point = turn * point + Vec3(8000, -8000, 8000);
+      }
+      solids.push_back(Solid::from(part));
+    }
+    const Rounded rounded = to_mesh(unite(solids), Coordinates::binary32);
+    const auto& [flange, mesh] = std::pair(parts[1], rounded.mesh());
+    for (const auto& [a, b, c] : flange.triangles) {
+      const Vec3 &p = flange.points[a], &q = flange.points[b], &r = flange.points[c];
+      for (const Vec3& place :
+           {p, Vec3((p + q) / 2), Vec3((q + r) / 2), Vec3((r + p) / 2), Vec3((p + q + r) / 3)}) {
+        if (winding_number(mesh, place) == 0) {
+          EXPECT_LE(test::distance_to(place, mesh), rounded.report().largest_move) << round;
+        }
+      }
+    }
+  }
+}
+
 TEST(ToMesh, turns_no_shell_inside_out) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> offset(0, 3 * 0x1p-23);

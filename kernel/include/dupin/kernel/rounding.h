@@ -58,13 +58,13 @@ struct RoundingReport {
   Vec3 origin = Vec3::Zero();  ///< was subtracted from all coordinates
   std::size_t moved = 0;       ///< vertices of the solid that are not written where they were
   /// An upper bound, in model units, of how far a vertex moved plus how far flipped edges moved the
-  /// surface plus how far from the solid slits were filled. Each of the first two has the tolerance
-  /// for itself: at most twice the tolerance plus half the distance of neighbouring numbers per
-  /// coordinate.
+  /// surface plus how far from the solid slits were filled plus how far what is gone was from what
+  /// is left. Each of the first two has the tolerance for itself: at most twice the tolerance plus
+  /// half the distance of neighbouring numbers per coordinate.
   double largest_move = 0;
   double repair_reach = 0;  ///< the part of the tolerance that was needed; 0 without repair
   std::size_t removed_triangles = 0;
-  std::size_t removed_shells = 0;  ///< smaller than the reach and not representable
+  std::size_t removed_shells = 0;  ///< not representable, and no further from what is left
   /// A point in each slit that was filled because rounding breaks it. What faced each other there
   /// is joined. Sliver voids lie between two parallel planes; slits that are open to the outside
   /// are closed by extending one of their flat sides to the other.

@@ -108,6 +108,24 @@ TriMesh plate(const Vec3& a) {
   return mesh;
 }
 
+// Two triangles that lie on each other beside their edge are gone once that is flipped.
+TEST_F(Edit, flips_no_edge_of_what_is_folded_there) {
+  shape = {};
+  shape.points = {{-1, 0, 0}, {1, 0, 0}, {0, 3, 1e-6}, {0, 3, -1e-6}, {0, 6, 0}};
+  shape.triangles = {{0, 1, 2}, {1, 4, 2}, {4, 0, 2}, {1, 0, 3}, {4, 1, 3}, {0, 4, 3}};
+  ASSERT_TRUE(check(shape).is_solid());
+  labels.assign(shape.triangles.size(), 0);
+  representatives = support::numbers_below(shape.points.size());
+  const auto flips = [this](double reach) {
+    EditedMesh edited = mesh();
+    return edited.flip(0, 2, {FaultRule::none, reach}) ||
+           edited.flip(0, 0, {FaultRule::none, reach});
+  };
+  EXPECT_FALSE(flips(1e-5));
+  EXPECT_FALSE(flips(2.99));
+  EXPECT_TRUE(flips(3.01)) << "as far as they reach beside the new edge";
+}
+
 TEST_F(Edit, flips_no_triangle_out_of_a_notch) {
   const auto flips = [this](const Vec3& a, double reach) {
     shape = plate(a);
