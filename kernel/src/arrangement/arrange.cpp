@@ -231,9 +231,9 @@ WoundSurface wound_surface(const mesh::ExactMesh& surface, const BooleanRule& ru
 
 }  // namespace
 
-mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const Progress& progress,
-                                          std::span<const std::uint8_t> crossing) {
-  return wound_surface(surface, union_rule(1), progress, crossing).boundary;
+mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
+                                          const Progress& progress) {
+  return wound_surface(surface, union_rule(1), progress, {}).boundary;
 }
 
 WoundSurface wound_surface(const mesh::ExactMesh& surface, std::span<const std::uint8_t> crossing) {

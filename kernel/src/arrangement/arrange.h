@@ -46,11 +46,9 @@ namespace dupin::arrangement {
 
 /// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
-/// triangles, but may cross and cover itself. `crossing`: empty, or 1 per triangle that may meet
-/// another one but in common corners and edges. Throws like arrange().
-[[nodiscard]] mesh::ExactMesh positive_winding_boundary(
-    const mesh::ExactMesh& surface, const Progress& progress = {},
-    std::span<const std::uint8_t> crossing = {});
+/// triangles, but may cross and cover itself. Throws like arrange().
+[[nodiscard]] mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
+                                                        const Progress& progress = {});
 
 /// Triangles of sheets that have no inside on either side, so that nothing is left of them.
 struct OutsideSheets {
@@ -64,7 +62,8 @@ struct WoundSurface {
   OutsideSheets outside;
 };
 
-/// The same boundary, and what of the surface is neither on it nor within.
+/// The same boundary, and what of the surface is neither on it nor within. `crossing`: 1 per
+/// triangle that may meet another one but in common corners and edges.
 [[nodiscard]] WoundSurface wound_surface(const mesh::ExactMesh& surface,
                                          std::span<const std::uint8_t> crossing);
 

@@ -229,8 +229,7 @@ mesh::ExactMesh surface_of(const PolygonSoup& soup, const TriMesh& mesh) {
 
 mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh,
                              const Progress& progress) {
-  mesh::ExactMesh solid =
-      arrangement::positive_winding_boundary(surface_of(soup, mesh), progress, {});
+  mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface_of(soup, mesh), progress);
   for (Source& source : solid.sources) {
     source.triangle = soup.sources[source.triangle];
   }

@@ -194,11 +194,11 @@ TEST(PositiveWindingBoundary, looks_for_crossings_where_it_is_told_only) {
   std::vector<std::uint8_t> crossing(36, 1);
   std::fill(crossing.begin() + 24, crossing.end(), 0);
   const mesh::ExactMesh all = positive_winding_boundary(surface);
-  const mesh::ExactMesh told = positive_winding_boundary(surface, {}, crossing);
+  const mesh::ExactMesh told = wound_surface(surface, crossing).boundary;
   EXPECT_EQ(told.points, all.points);
   EXPECT_EQ(told.triangles, all.triangles);
   EXPECT_EQ(solid_of(told).exact_volume(), 16);
-  EXPECT_EQ(positive_winding_boundary(surface, {}, std::vector<std::uint8_t>(36, 0)).triangles,
+  EXPECT_EQ(wound_surface(surface, std::vector<std::uint8_t>(36, 0)).boundary.triangles,
             surface.triangles)
       << "nothing is cut";
 }
