@@ -24,10 +24,7 @@ void print_summary(const MeshSummary& summary) {
   if (const auto box = bounding_box(summary.mesh); !box.isEmpty()) {
     print_row(std::cout, "box", place_text(box.min()) + " to " + place_text(box.max()));
   }
-  const bool is_known = is_measured(summary.check);
-  print_row(std::cout, "volume", is_known ? number(summary.check.volume) : kUnknown);
-  print_row(std::cout, "area", is_known ? number(summary.check.area) : kUnknown);
-  print_row(std::cout, "watertight", summary.check.closed() ? "yes" : "no");
+  print_sizes(std::cout, summary.check, "");
   for (const std::string& label : summary.mesh.names) {
     print_row(std::cout, "label", label);
   }

@@ -57,14 +57,10 @@ void print_measures(std::ostream& out, const Report& report, std::string_view un
   print_row(out, "points", std::to_string(report.points));
   print_row(out, "components", std::to_string(report.components));
   print_row(out, "euler number", std::to_string(report.euler_number));
-  const bool is_known = is_measured(report);
-  if (report.closed()) {
-    print_row(out, "volume", is_known ? powered(report.volume, unit, "^3") : kUnknown);
-  }
-  print_row(out, "area", is_known ? powered(report.area, unit, "^2") : kUnknown);
-  print_row(out, "watertight", report.closed() ? "yes" : "no");
-  print_row(out, "self-intersections",
-            is_known ? std::to_string(report.count(Defect::self_intersection)) : kUnknown);
+  print_sizes(out, report, unit);
+  print_row(
+      out, "self-intersections",
+      is_measured(report) ? std::to_string(report.count(Defect::self_intersection)) : kUnknown);
 }
 
 std::string rounding_text(const RoundingReport& rounding, std::string_view unit) {
@@ -215,6 +211,15 @@ std::string verified_text(Verification verification) {
       return "read back and checked";
   }
   return "unknown";
+}
+
+void print_sizes(std::ostream& out, const Report& report, std::string_view unit) {
+  const bool is_known = is_measured(report);
+  if (report.closed()) {
+    print_row(out, "volume", is_known ? powered(report.volume, unit, "^3") : kUnknown);
+  }
+  print_row(out, "area", is_known ? powered(report.area, unit, "^2") : kUnknown);
+  print_row(out, "watertight", report.closed() ? "yes" : "no");
 }
 
 void print_report(std::ostream& out, const Report& report) {

@@ -32,6 +32,9 @@ void print_row(std::ostream& out, std::string_view label, std::string_view value
 /// "exactly", or how far points are from where they were asked to be.
 [[nodiscard]] std::string placement_text(bool is_exact, double largest_move, std::string_view unit);
 
+/// Volume, if what is measured is closed, area, and whether it is. `unit` may be empty.
+void print_sizes(std::ostream& out, const Report& report, std::string_view unit);
+
 /// Counts, measures and findings of a mesh.
 void print_report(std::ostream& out, const Report& report);
 

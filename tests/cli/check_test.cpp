@@ -15,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 using MeshCommands = Tool;
 
@@ -37,9 +38,12 @@ TEST_F(MeshCommands, check_lists_faults_with_faces_and_places) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, HasSubstr("watertight           no\n"));
+  EXPECT_THAT(result.out, Not(HasSubstr("volume")));
   EXPECT_THAT(result.out, HasSubstr("boundary_edge: 3\n"));
   const auto report = json({"check", "a.off"}, 1);
   EXPECT_EQ(report.at("counts"), (nlohmann::json{{"boundary_edge", 3}}));
+  EXPECT_TRUE(report.at("volume").is_null());
+  EXPECT_TRUE(report.at("genus").is_null());
   EXPECT_EQ(report.at("findings").size(), 3);
   EXPECT_EQ(report.at("findings")[0].at("defect"), "boundary_edge");
   EXPECT_EQ(report.at("findings")[0].at("faces").size(), 1);

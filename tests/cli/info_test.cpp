@@ -12,6 +12,7 @@ namespace dupin::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 using MeshCommands = Tool;
 
@@ -22,6 +23,17 @@ TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
   EXPECT_EQ(info.at("box"), (nlohmann::json{{0, 0, 0}, {2, 3, 4}}));
   EXPECT_EQ(info.at("check").at("volume"), 24);
   EXPECT_THAT(dupin({"info", "a.off"}).out, HasSubstr("(0, 0, 0) to (2, 3, 4)\n"));
+}
+
+TEST_F(MeshCommands, info_states_no_volume_of_what_is_open) {
+  put("a.off", open_box());
+  const auto check = json({"info", "a.off"}, 0).at("check");
+  EXPECT_TRUE(check.at("volume").is_null());
+  EXPECT_TRUE(check.at("genus").is_null());
+  const std::string text = dupin({"info", "a.off"}).out;
+  EXPECT_THAT(text, HasSubstr("watertight           no\n"));
+  EXPECT_THAT(text, HasSubstr("area "));
+  EXPECT_THAT(text, Not(HasSubstr("volume")));
 }
 
 // As documents, and meshes of text, begin.

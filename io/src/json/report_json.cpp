@@ -9,6 +9,8 @@ bool is_measured(const Report& report) {
          report.count(Defect::point_out_of_range) == 0;
 }
 
+bool has_volume(const Report& report) { return report.closed() && is_measured(report); }
+
 namespace json {
 namespace {
 
@@ -21,19 +23,21 @@ Json json_value(const Finding& finding) {
           {"place", json_value(finding.place)}};
 }
 
-Json json_value(const ShellReport& shell) {
-  return {{"first_face", shell.first_face},
-          {"triangles", shell.triangles},
-          {"volume", shell.volume},
-          {"depth", shell.depth},
-          {"euler_number", shell.euler_number}};
+Json json_shells(const Report& report) {
+  return json_list(report.shells, [&](const ShellReport& shell) -> Json {
+    return {{"first_face", shell.first_face},
+            {"triangles", shell.triangles},
+            {"volume", has_volume(report) ? Json(shell.volume) : Json(nullptr)},
+            {"depth", shell.depth},
+            {"euler_number", shell.euler_number}};
+  });
 }
 
 Json json_places(const std::vector<Vec3>& places) {
   return json_list(places, [](const Vec3& place) { return json_value(place); });
 }
 
-Json json_shells(const std::vector<ThinShell>& shells) {
+Json json_thin_shells(const std::vector<ThinShell>& shells) {
   return json_list(shells, [](const ThinShell& shell) -> Json {
     return {
         {"place", json_value(shell.place)}, {"thickness", shell.thickness}, {"move", shell.move}};
@@ -52,7 +56,7 @@ Json json_value(const RoundingReport& rounding) {
           {"filled_places", json_places(rounding.filled_places)},
           {"slit_width", rounding.slit_width},
           {"snapped_places", json_places(rounding.snapped_places)},
-          {"thin_shells", json_shells(rounding.thin_shells)}};
+          {"thin_shells", json_thin_shells(rounding.thin_shells)}};
 }
 
 Json json_value(const Contact& contact) {
@@ -145,12 +149,12 @@ Json json_value(const Report& report) {
           {"watertight", report.closed()},
           {"components", report.components},
           {"euler_number", report.euler_number},
-          {"genus", report.genus},
-          {"volume", is_measured(report) ? Json(report.volume) : Json(nullptr)},
+          {"genus", report.closed() ? Json(report.genus) : Json(nullptr)},
+          {"volume", has_volume(report) ? Json(report.volume) : Json(nullptr)},
           {"area", is_measured(report) ? Json(report.area) : Json(nullptr)},
           {"counts", counts_json(report)},
           {"findings", list(report.findings)},
-          {"shells", list(report.shells)}};
+          {"shells", json_shells(report)}};
 }
 
 Json json_value(const OutputReport& report) {

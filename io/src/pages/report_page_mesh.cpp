@@ -37,9 +37,13 @@ PageSection overview(const MeshSummary& summary) {
   add("components", std::to_string(check.components));
   if (check.closed()) {
     add("genus", std::to_string(check.genus));
+  }
+  if (has_volume(check)) {
     add("volume", measure(check.volume, unit, 3));
   }
-  add("area", measure(check.area, unit, 2));
+  if (is_measured(check)) {
+    add("area", measure(check.area, unit, 2));
+  }
   add("unit", unit.empty() ? "the file says none" : unit);
   return section;
 }

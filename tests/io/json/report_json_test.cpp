@@ -66,6 +66,34 @@ TEST(ReportJson, only_defects_that_occur_are_counted) {
   EXPECT_EQ(parsed.at("watertight"), false);
 }
 
+TEST(ReportJson, what_is_not_closed_has_neither_genus_nor_volume) {
+  const TriMesh solid = box({0, 0, 0}, {1, 1, 1});
+  TriMesh open = solid, turned = solid, fan = solid;
+  open.triangles.pop_back();
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  fan.triangles.push_back(fan.triangles.front());
+  fan.points.emplace_back(5, 5, 5);
+  fan.triangles.back()[2] = std::uint32_t(fan.points.size() - 1);
+  for (const TriMesh& mesh : {open, turned, fan}) {
+    const Report report = check(mesh);
+    EXPECT_FALSE(has_volume(report));
+    const json parsed = json::parse(to_json(report));
+    EXPECT_TRUE(parsed.at("volume").is_null());
+    EXPECT_TRUE(parsed.at("genus").is_null());
+    EXPECT_EQ(parsed.at("area"), report.area);
+    ASSERT_FALSE(parsed.at("shells").empty());
+    EXPECT_TRUE(parsed.at("shells")[0].at("volume").is_null());
+    EXPECT_TRUE(json::parse(to_json(MeshSummary{"a.off", "", mesh, report}))
+                    .at("check")
+                    .at("volume")
+                    .is_null());
+  }
+  EXPECT_TRUE(has_volume(check(solid)));
+  const json closed = json::parse(to_json(check(solid)));
+  EXPECT_EQ(closed.at("genus"), 0);
+  EXPECT_EQ(closed.at("shells")[0].at("volume"), 1);
+}
+
 TEST(ReportJson, an_error_says_what_the_exception_says) {
   const Error error(Errc::parse_failed, "expected a number", "inlet", "a.json#/parts/0");
   const json parsed = json::parse(error_json(error, name(error.code()), 3)).at("error");

@@ -170,9 +170,12 @@ struct PlacedDocumentReport {
   PlacementReport placement;
 };
 
-/// Whether the volume and the area of a report are those of the mesh. Of meshes with points that
-/// are not finite, or out of range, places are not looked at.
+/// Whether the area of a report is that of the mesh. Of meshes with points that are not finite, or
+/// out of range, places are not looked at.
 [[nodiscard]] bool is_measured(const Report& report);
+
+/// Whether its volumes are: what is not closed() has none, and no genus.
+[[nodiscard]] bool has_volume(const Report& report);
 
 /// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
 /// the shortest decimals that read back to the same double, null where not finite. Always the same

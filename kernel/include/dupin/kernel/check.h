@@ -40,7 +40,7 @@ struct Finding {
 struct ShellReport {
   std::uint32_t first_face = 0;
   std::size_t triangles = 0;
-  double volume = 0;  ///< signed
+  double volume = 0;  ///< signed; meaningless unless the report is closed()
   int depth = 0;      ///< number of shells around it; 0 unless all are closed and free of faults
   std::int64_t euler_number = 0;  ///< a point at which its faces form two fans counts twice
   friend bool operator==(const ShellReport&, const ShellReport&) = default;
@@ -58,7 +58,7 @@ struct Report {
   std::vector<ShellReport> shells;  ///< in order of first face
   std::size_t components = 0;       ///< shells of even depth
   std::int64_t euler_number = 0;
-  std::int64_t genus = 0;  ///< meaningful when closed and manifold
+  std::int64_t genus = 0;  ///< meaningless unless closed(), as is the volume
   double volume = 0, area = 0;
 
   [[nodiscard]] std::size_t count(Defect defect) const {
