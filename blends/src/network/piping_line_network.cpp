@@ -16,10 +16,6 @@
 namespace dupin {
 namespace {
 
-// Ends of a piping file up to this far apart, in millimetres, are meant to meet: as `dupin gaps`
-// takes them if it is not told.
-constexpr double kMisfit = 1;
-
 void check_option(double value, const std::string& what) {
   if (!(std::isfinite(value) && value >= 0)) {
     throw Error(Errc::invalid_argument, "must be a length of at least 0", {}, what);
@@ -70,7 +66,7 @@ std::vector<network::PortPair> misfits(const PipingLine& line, const network::Pi
       positions.push_back(i);
     }
   }
-  std::vector<network::PortPair> result = network::paired(free, options.snap, kMisfit);
+  std::vector<network::PortPair> result = network::paired(free, options.snap, network::kMeant);
   for (network::PortPair& pair : result) {
     pair.first = positions[pair.first];
     pair.second = positions[pair.second];
@@ -160,20 +156,6 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   if (result.assembly.parts.empty()) {
     throw Error(Errc::invalid_argument, "no component is left of which a part could be made", {},
                 line.source);
-  }
-  return result;
-}
-
-std::vector<Port> ports(const PipingLine& line) {
-  const std::vector<bool> all(line.components.size(), false);
-  std::vector<Port> result;
-  for (const network::LinePort& port : network::line_ports(line, all)) {
-    const PipingComponent& component = line.components[port.component];
-    if (port.outward && port.radius) {
-      result.push_back({component.name + "." + std::to_string(port.index + 1),
-                        {port.center, *port.outward, *port.radius},
-                        component.name});
-    }
   }
   return result;
 }

@@ -7,6 +7,10 @@
 
 namespace dupin::network {
 
+/// Ends of a piping file up to this far apart, in millimetres, are meant to meet: as `dupin gaps`
+/// takes them if it is not told.
+constexpr double kMeant = 1;
+
 /// An end of one of a line's components.
 struct LinePort {
   std::size_t component = 0, index = 0;  ///< in PipingLine::components, in its ports

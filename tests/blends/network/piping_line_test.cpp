@@ -547,17 +547,6 @@ TEST(PipingLine, refuses_what_is_no_component) {
   EXPECT_THROW((void)Line().pipe({0, 0, 0}, {9, 0, 0}).made({.bridge = std::nan("")}), Error);
 }
 
-TEST(PipingLine, gives_its_ends_as_the_file_has_them) {
-  Line line;
-  line.pipe({0, 0, 0}, {1000, .03, 0}).pipe({1000, -.01, 0}, {2000, 0, 0}, 30);
-  const auto all = ports(line.line());
-  ASSERT_EQ(all.size(), 4);
-  EXPECT_EQ(all[1].name, "c0.2");
-  EXPECT_EQ(all[1].ring.center, Vec3(1000, .03, 0));
-  EXPECT_EQ(all[2].ring.radius, 30);
-  EXPECT_EQ(pair_ends(all, 1).size(), 3);
-}
-
 TEST(PipingLine, keeps_far_coordinates_exact) {
   const Vec3 far(212345.678, -187654.321, 98765.432);
   Line line;
