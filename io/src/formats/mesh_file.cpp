@@ -18,6 +18,7 @@
 #include "dupin/kernel/parallel.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
+#include "text/utf16.h"
 
 namespace dupin {
 namespace {
@@ -87,7 +88,10 @@ const MeshFormat& format_of(const std::filesystem::path& path) {
   return *format;
 }
 
-const MeshFormat* format_of_content(std::string_view bytes, std::string_view file) {
+namespace {
+
+// None if nothing in it tells.
+const MeshFormat* recognised(std::string_view bytes) {
   const MeshFormat* found = nullptr;
   Evidence strongest = Evidence::none;
   for (const MeshFormat& format : mesh_formats()) {
@@ -97,6 +101,21 @@ const MeshFormat* format_of_content(std::string_view bytes, std::string_view fil
       found = &format;
     }
   }
+  return found;
+}
+
+// What is XML may be in UTF-16, and says so.
+void refuse_other_encodings(const MeshFormat* format, std::string_view bytes,
+                            std::string_view file) {
+  if (format == nullptr || format->key != kVtp.key) {
+    text::refuse_utf16(bytes, std::string(file));
+  }
+}
+
+}  // namespace
+
+const MeshFormat* format_of_content(std::string_view bytes, std::string_view file) {
+  const MeshFormat* const found = recognised(bytes);
   return found != nullptr ? found : find_by_extension(file);
 }
 
@@ -106,7 +125,11 @@ TriMesh read_mesh(const std::filesystem::path& path) {
 
 TriMesh read_mesh(std::string_view bytes, std::string_view file) {
   const UsualArithmetic usual;
-  const MeshFormat* const format = format_of_content(bytes, file);
+  const MeshFormat* format = recognised(bytes);
+  if (format == nullptr) {
+    format = find_by_extension(file);
+    refuse_other_encodings(format, bytes, file);
+  }
   if (format == nullptr) {
     throw unknown_content(bytes, file);
   }

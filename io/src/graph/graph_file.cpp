@@ -14,6 +14,7 @@
 #include "text/line_counter.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
+#include "text/utf16.h"
 
 namespace dupin {
 namespace {
@@ -195,6 +196,7 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
 
 PipeGraph parse_graph_file(std::string_view text, const std::string& source,
                            std::vector<SourceNote>* notes) {
+  text::refuse_utf16(text, source);
   const bool is_swc = is_graph_file(source) ? extension_of(source) == ".swc"
                                             : format_of_text(text) == GraphFormat::swc;
   return is_swc ? parse_swc(text, source, notes) : parse_graph(text, source, notes);

@@ -8,6 +8,7 @@
 #include "text/byte_order_mark.h"
 #include "text/json_depth.h"
 #include "text/text_scanner.h"
+#include "text/utf16.h"
 
 namespace dupin::json {
 namespace {
@@ -162,6 +163,7 @@ Json parsed(std::string_view text, const std::string& source) {
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& source) {
+  dupin::text::refuse_utf16(text, source);
   require_start(text, source);
   if (const auto bracket = dupin::text::first_too_deep(text)) {
     throw Error(

@@ -14,6 +14,7 @@
 #include "text/byte_order_mark.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
+#include "text/utf16.h"
 
 namespace dupin {
 namespace {
@@ -29,6 +30,7 @@ constexpr double kLargestCoordinate = 1e8, kLargestBore = 1e5;
 constexpr double kInch = 25.4, kHundredth = 0.01;
 constexpr std::array kUnits = std::to_array<std::pair<std::string_view, double>>(
     {{"mm", 1}, {"inch", kInch}, {"mm-hundredth", kHundredth}, {"inch-sixteenth", kInch / 16}});
+constexpr const char* kUnitNames = "MM or INCH, or MM-HUNDREDTH or INCH-SIXTEENTH of these";
 // In millimetres: thinner than a hair.
 constexpr double kLeastBore = 0.01;
 
@@ -191,8 +193,8 @@ class PcfReader {
       first = first == nullptr ? &head : first;
     }
     if (first == nullptr) {
-      throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says MM or INCH", {},
-                  source_);
+      throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says " + kUnitNames,
+                  {}, source_);
     }
     return millimetres(*first);
   }
@@ -206,9 +208,8 @@ class PcfReader {
         return size;
       }
     }
-    scanner_.fail_at(attribute.position, "found " + text::quoted(attribute.text) +
-                                             ", expected the unit MM or INCH, or "
-                                             "MM-HUNDREDTH or INCH-SIXTEENTH of these");
+    scanner_.fail_at(attribute.position,
+                     "found " + text::quoted(attribute.text) + ", expected the unit " + kUnitNames);
   }
 
   // A number, which is in a unit of so many millimetres.
@@ -424,6 +425,7 @@ bool is_pcf_text(std::string_view text) {
 }
 
 PcfFile parse_pcf(std::string_view text, const std::string& source, BoreMeaning bores) {
+  text::refuse_utf16(text, source);
   return PcfReader(text, source, bores).run();
 }
 

@@ -208,8 +208,12 @@ TEST(Pcf, refuses_what_is_malformed) {
       [](const std::string& bytes, const std::string& file) { return parse_pcf(bytes, file); },
       "a.pcf",
       {
-          {"", "a.pcf: the line UNITS-CO-ORDS is missing; it says MM or INCH"},
-          {"UNITS-CO-ORDS MM\nPIPE\n", "a.pcf: the line UNITS-BORE is missing; it says MM or INCH"},
+          {"",
+           "a.pcf: the line UNITS-CO-ORDS is missing; it says MM or INCH, or MM-HUNDREDTH or "
+           "INCH-SIXTEENTH of these"},
+          {"UNITS-CO-ORDS MM\nPIPE\n",
+           "a.pcf: the line UNITS-BORE is missing; it says MM or INCH, or MM-HUNDREDTH or "
+           "INCH-SIXTEENTH of these"},
           {"UNITS-CO-ORDS FURLONG\n",
            "a.pcf:1: found 'FURLONG', expected the unit MM or INCH, or MM-HUNDREDTH or "
            "INCH-SIXTEENTH of these"},
