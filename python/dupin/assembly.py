@@ -17,6 +17,22 @@ from .errors import InvalidArgument
 _DEEPEST = 100
 
 
+def _require_number(number: int, pointer: str) -> None:
+    try:
+        float(number)
+    except OverflowError:
+        raise InvalidArgument("the int is beyond all floats, which end at 1.8e308", where=pointer) from None
+
+
+def _require_text(text: str, pointer: str) -> None:
+    """Lone surrogates are in no UTF-8."""
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise InvalidArgument(f"the str has a lone surrogate, {text[error.start]!a}, which no document can hold",
+                              where=pointer) from None
+
+
 def plain(value: Any, pointer: str = "", around: tuple[int, ...] = ()) -> Any:
     """The value as JSON has it: NumPy's arrays and numbers become lists and numbers. Raises InvalidArgument, with the
     JSON pointer, for what no document can hold. `around` are the dicts and lists that it is in."""
@@ -31,8 +47,14 @@ def plain(value: Any, pointer: str = "", around: tuple[int, ...] = ()) -> Any:
             raise InvalidArgument(f"nested more than {_DEEPEST} deep", where=pointer[:60] + "…")
         around = (*around, id(value))
         if isinstance(value, Mapping):
+            for key in value:
+                _require_text(str(key), pointer)
             return {str(key): plain(item, f"{pointer}/{key}", around) for key, item in value.items()}
         return [plain(item, f"{pointer}/{index}", around) for index, item in enumerate(value)]
+    if isinstance(value, str):
+        _require_text(value, pointer)
+    if isinstance(value, int):
+        _require_number(value, pointer)
     if isinstance(value, float) and not math.isfinite(value):
         raise InvalidArgument(f"{value} is no finite number", where=pointer)
     if value is None or isinstance(value, (str, bool, int, float)):

@@ -37,6 +37,11 @@ def _meshio_triangles(mesh: Any) -> np.ndarray:
     return np.concatenate(blocks) if blocks else np.zeros((0, 3), np.uint32)
 
 
+def _is_whole(item: Any) -> bool:
+    """Whether it is a mesh of its own, and no array of points or triangles."""
+    return isinstance(item, (Mesh, Solid, str, bytes, os.PathLike)) or hasattr(item, "solid") or hasattr(item, "faces")
+
+
 def as_mesh(mesh: MeshLike, triangles: Any = None) -> Mesh:
     """A Mesh of whatever is one: arrays that lie in memory as the library's do are copied, not converted.
 
@@ -53,6 +58,9 @@ def as_mesh(mesh: MeshLike, triangles: Any = None) -> Mesh:
         return mesh.solid.mesh()
     if isinstance(mesh, (str, bytes, os.PathLike)):
         return read_mesh(mesh)
+    if isinstance(mesh, (tuple, list)) and any(_is_whole(item) for item in mesh):
+        raise InvalidArgument(f"a {type(mesh).__name__} of solids, meshes or files is no mesh; they are separate "
+                              "arguments, as in union(a, b) or union(*solids)")
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return Mesh(*mesh)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh
@@ -94,7 +102,7 @@ def check(mesh: MeshLike, triangles: Any = None, *, limit: int = 100,
           self_intersections: bool = True) -> dict[str, Any]:
     """Every fault of a mesh, by exact predicates on its very numbers: `report["solid"]` tells whether it is one,
     `report["counts"]` how many faults there are of each kind, `report["findings"]` the first `limit` of each with the
-    faces, points and a place. Never raises for bad meshes."""
+    faces, points and a place. `volume` and `genus` are None unless it is `watertight`. Never raises for bad meshes."""
     return json.loads(_core.check(as_mesh(mesh, triangles), limit, self_intersections))
 
 

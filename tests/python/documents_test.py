@@ -364,3 +364,22 @@ def test_what_contains_itself_is_one_clear_error():
         dupin.build(deep)
     shared = [0, 0, 0]  # twice, but not in itself
     assert dupin.Assembly.from_dict({"parts": [shared, shared]}).to_dict()["parts"] == [shared, shared]
+
+
+def test_what_json_cannot_hold_is_named_by_its_place_in_the_document():
+    def pipe(name="a", radius=1):
+        return {"name": name, "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": radius}}
+
+    for document, where, text in [
+            ({"parts": [pipe("\ud800")]}, "/parts/0/name", r"lone surrogate, '\\ud800'"),
+            ({"parts": [{**pipe(), "\udfff": 1}]}, "/parts/0", "lone surrogate"),
+            ({"tolerance": 10 ** 400, "parts": [pipe()]}, "/tolerance", "beyond all floats"),
+            ({"parts": [pipe(radius=-10 ** 5000)]}, "/parts/0/pipe/radius", "beyond all floats")]:
+        for use in (dupin.build, dupin.Assembly.from_dict):
+            with pytest.raises(dupin.errors.InvalidArgument, match=text) as caught:
+                use(document)
+            assert caught.value.where == where
+    with pytest.raises(dupin.errors.InvalidArgument, match="lone surrogate") as caught:
+        dupin.Assembly().pipe("\ud800", from_=[0, 0, 0], to=[1, 0, 0], radius=1)
+    assert caught.value.where == "/parts/0/name"
+    assert dupin.Assembly(tolerance=10 ** 308).to_dict()["tolerance"] == 10 ** 308

@@ -110,6 +110,10 @@ def test_faults_of_expressions_and_operands_are_named(box):
     assert caught.value.part == "b"
     with pytest.raises(dupin.errors.InvalidArgument, match="int is no mesh"):
         dupin.union(1)
+    solid = dupin.as_solid(box())
+    for wrong in ([solid, solid], (solid, solid), [solid] * 3, [solid], ["a.stl", "b.stl"], [dupin.Mesh(*box())] * 2):
+        with pytest.raises(dupin.errors.InvalidArgument, match=r"separate arguments, as in union\(a, b\)"):
+            dupin.union(wrong)
     with pytest.raises(dupin.errors.InvalidArgument, match="'report' or 'refuse'"):
         dupin.union(box(), contacts="perhaps")
 
@@ -140,6 +144,7 @@ def test_check_counts_every_fault(box):
     assert dupin.check(points, triangles)["solid"]
     report = dupin.check(points, triangles[1:])
     assert not report["solid"] and report["counts"]["boundary_edge"] == 3
+    assert report["volume"] is None and report["genus"] is None and report["area"] == 5.5
     assert len(dupin.check(points, triangles[1:], limit=1)["findings"]) == 1
     assert dupin.check((points, triangles[:, ::-1]))["counts"]["inside_out_component"] == 1
 
