@@ -14,6 +14,7 @@
 #include "healing/polygon_soup.h"
 #include "mesh/surface_distance.h"
 #include "support/blocks.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
@@ -130,9 +131,8 @@ std::size_t lost_shells(const TriMesh& surface, const OutsideSheets& outside,
       lost.push_back(shell(face));
     }
   }
-  std::ranges::sort(lost);
-  return static_cast<std::size_t>(
-      std::ranges::distance(lost.begin(), std::ranges::unique(lost).begin()));
+  support::sort_unique(lost);
+  return lost.size();
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ std::size_t VainEdits::faults_of(const TriedEdit& edit, std::span<const std::uin
   if (refusal == refusals_.end()) {
     return 0;
   }
-  const auto& [edits, begin, end] = refusal->second;
-  const auto is_unedited = [&](std::uint32_t face) { return last_edit[face] <= edits; };
-  const auto faults = std::span(faults_).subspan(begin, end - begin);
+  const Refusal& last = refusal->second;
+  const auto is_unedited = [&](std::uint32_t face) { return last_edit[face] <= last.edits; };
+  const auto faults = std::span(faults_).subspan(last.begin, last.end - last.begin);
   const bool still = std::ranges::all_of(faces, is_unedited) &&
                      std::ranges::all_of(faults, [&](const Fault& fault) {
                        return is_unedited(fault.first) && is_unedited(fault.second);
