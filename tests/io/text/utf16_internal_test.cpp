@@ -1,25 +1,15 @@
 #include <string>
-#include <string_view>
 
 #include <gtest/gtest.h>
 
-#include "dupin/io/assembly_json.h"
-#include "dupin/io/graph_file.h"
 #include "dupin/io/mesh_file.h"
-#include "dupin/io/pcf.h"
-#include "dupin/kernel/error.h"
+#include "io/text/utf16_text.h"
 #include "text/utf16.h"
 
 namespace dupin::text {
 namespace {
 
-std::string utf16(std::string_view text, bool is_big, bool has_mark) {
-  std::string result = !has_mark ? "" : is_big ? "\xFE\xFF" : "\xFF\xFE";
-  for (const char c : text) {
-    result += is_big ? std::string{'\0', c} : std::string{c, '\0'};
-  }
-  return result;
-}
+using test::utf16;
 
 TEST(Utf16, is_told_by_its_mark_and_by_zeros) {
   for (const bool is_big : {false, true}) {
@@ -35,38 +25,15 @@ TEST(Utf16, is_told_by_its_mark_and_by_zeros) {
   }
 }
 
-TEST(Utf16, is_said_by_every_reader_of_text) {
-  const auto expect = [](std::string_view text, const std::string& file, auto read) {
-    for (const bool is_big : {false, true}) {
-      for (const bool has_mark : {false, true}) {
-        try {
-          read(utf16(text, is_big, has_mark), file);
-          ADD_FAILURE() << file;
-        } catch (const Error& error) {
-          EXPECT_EQ(std::string(error.what()),
-                    file + ": the text is in UTF-16, expected UTF-8; save it as that");
-        }
-      }
-    }
-  };
+TEST(Utf16, is_said_by_every_reader_of_meshes) {
   const auto mesh = [](const std::string& text, const std::string& file) {
     (void)read_mesh(text, file);
   };
-  expect("OFF\n0 0 0\n", "a.off", mesh);
-  expect("v 0 0 0\n", "a.obj", mesh);
-  expect("ply\nformat ascii 1.0\n", "a.ply", mesh);
-  expect("solid a\nendsolid a\n", "a.stl", mesh);
-  expect("OFF\n0 0 0\n", "standard input", mesh);
-  expect(
-      R"({"units": "mm", "parts": []})", "a.json",
-      [](const std::string& text, const std::string& file) { (void)parse_assembly(text, file); });
-  expect("UNITS-BORE MM\n", "a.pcf",
-         [](const std::string& text, const std::string& file) { (void)parse_pcf(text, file); });
-  for (const std::string name : {"a.swc", "a.graph", "a"}) {
-    expect("1 0 0 0 0 2 -1\n", name, [](const std::string& text, const std::string& file) {
-      (void)parse_graph_file(text, file);
-    });
-  }
+  test::expect_utf16_refused("OFF\n0 0 0\n", "a.off", mesh);
+  test::expect_utf16_refused("v 0 0 0\n", "a.obj", mesh);
+  test::expect_utf16_refused("ply\nformat ascii 1.0\n", "a.ply", mesh);
+  test::expect_utf16_refused("solid a\nendsolid a\n", "a.stl", mesh);
+  test::expect_utf16_refused("OFF\n0 0 0\n", "standard input", mesh);
 }
 
 }  // namespace
