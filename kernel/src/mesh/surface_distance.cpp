@@ -21,13 +21,6 @@ constexpr double kOverhang = 0.25;
 using Faces = std::vector<std::uint32_t>;
 using Polygon = std::vector<Vec3>;  // convex, of at least three corners
 
-Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-  return a + t * along;
-}
-
 /// Leaves of a polygon what is above a plane, and returns the rest. Both have the corners that are
 /// cut in common; either may be empty.
 Polygon cut_off_below(Polygon& polygon, const Vec3& on, const Vec3& up, double height) {
@@ -161,6 +154,13 @@ class Cover {
 };
 
 }  // namespace
+
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+  return a + t * along;
+}
 
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, normal = u.cross(v);

@@ -13,6 +13,9 @@
 
 namespace dupin::mesh {
 
+/// The place of a segment that is nearest to a point, but for rounding.
+[[nodiscard]] Vec3 nearest_on_segment(const Vec3& point, const Vec3& a, const Vec3& b);
+
 /// The place of a triangle that is nearest to a point; rounding may make it another one, which is
 /// further off.
 [[nodiscard]] Vec3 nearest_on_triangle(const Vec3& point, const Vec3& a, const Vec3& b,

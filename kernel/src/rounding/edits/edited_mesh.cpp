@@ -52,7 +52,7 @@ double fold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return 0;
   }
   const auto distance = [](const Vec3& p, const Vec3& from, const Vec3& to) {
-    return (mesh::nearest_on_triangle(p, from, to, to) - p).norm();
+    return (mesh::nearest_on_segment(p, from, to) - p).norm();
   };
   return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
