@@ -225,14 +225,19 @@ mesh::ExactMesh surface_of(const PolygonSoup& soup, const TriMesh& mesh) {
   return surface;
 }
 
+// Of triangles of the soup, those of the mesh that it is from.
+void name_faces(const PolygonSoup& soup, std::vector<Source>& sources) {
+  for (Source& source : sources) {
+    source.triangle = soup.sources[source.triangle];
+  }
+}
+
 }  // namespace
 
 mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh,
                              const Progress& progress) {
   mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface_of(soup, mesh), progress);
-  for (Source& source : solid.sources) {
-    source.triangle = soup.sources[source.triangle];
-  }
+  name_faces(soup, solid.sources);
   return solid;
 }
 
@@ -240,9 +245,7 @@ arrangement::WoundSurface wound_surface(const PolygonSoup& soup, const TriMesh& 
                                         std::span<const std::uint8_t> crossing) {
   const std::vector<std::uint8_t> is_crossing = support::selected(crossing, soup.sources);
   arrangement::WoundSurface wound = arrangement::wound_surface(surface_of(soup, mesh), is_crossing);
-  for (Source& source : wound.boundary.sources) {
-    source.triangle = soup.sources[source.triangle];
-  }
+  name_faces(soup, wound.boundary.sources);
   for (std::uint32_t& source : wound.outside.sources) {
     source = soup.sources[source];
   }

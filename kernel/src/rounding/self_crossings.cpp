@@ -23,7 +23,8 @@ using arrangement::OutsideSheets;
 using Corners = std::array<Vec3, 3>;
 
 /// A bound of how far triangles are from the solid, by parts that are near one of its triangles
-/// each: the distance from that is a convex function.
+/// each: the distance from that is a convex function. Quicker to give up than
+/// mesh::ReferenceSurface::bound, which looks for minutes at sheets that are far from all.
 class SheetDistance {
  public:
   explicit SheetDistance(const mesh::ReferenceSurface& solid) : solid_(solid) {}
