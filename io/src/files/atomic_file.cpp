@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cerrno>
 #include <span>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,9 @@ void require_whole_name(const fs::path& path) {
                 path.string());
   }
 }
+
+/// So many bytes take the disk and the system their time.
+constexpr std::size_t kMuch = std::size_t{1} << 23;
 
 /// Bytes to read at once into memory that stays in the cache.
 constexpr std::size_t kPiece = std::size_t{1} << 18;
@@ -149,6 +154,29 @@ void sync_directory(const fs::path& file) {
   const Descriptor directory(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.number() >= 0) {
     (void)::fsync(directory.number());
+  }
+}
+
+/// The file of this name, if it is a large one, lest it is gone for good when another takes its
+/// place: the system would free all that it holds before it goes on.
+Descriptor held_if_large(const fs::path& path) {
+  Descriptor file(::open(path.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
+  struct stat status {};
+  const bool is_large = file.number() >= 0 && ::fstat(file.number(), &status) == 0 &&
+                        static_cast<std::uint64_t>(status.st_size) >= kMuch;
+  return Descriptor(is_large ? file.release() : -1);
+}
+
+/// Nobody waits for that.
+void close_meanwhile(Descriptor& file) {
+  const int number = file.release();
+  if (number < 0) {
+    return;
+  }
+  try {
+    std::thread([number] { const Descriptor held(number); }).detach();
+  } catch (const std::system_error&) {  // no more threads
+    const Descriptor held(number);
   }
 }
 
@@ -298,6 +326,12 @@ void AsideFile::write(int flags, std::uint64_t at, std::string_view bytes) {
     fail("write the file", target_, errno);
   }
   int reason = write_all(file.number(), bytes);
+  unsent_ += bytes.size();
+  if (reason == 0 && unsent_ >= kMuch) {
+    // The disk begins, so that sync() has less to wait for; it is no fault if it does not.
+    (void)::sync_file_range(file.number(), 0, 0, SYNC_FILE_RANGE_WRITE);
+    unsent_ = 0;
+  }
   reason = reason != 0 ? reason : file.close();
   if (reason != 0) {
     fail("write the file", target_, reason);
@@ -328,6 +362,7 @@ void AsideFile::commit() {
     the_register->has_committed = true;
     return;
   }
+  Descriptor replaced = held_if_large(target_);
   {
     const Exclusive exclusive;
     if (::rename(aside_.c_str(), target_.c_str()) != 0) {
@@ -337,6 +372,7 @@ void AsideFile::commit() {
     forget(aside_);
     the_register->has_committed = true;
   }
+  close_meanwhile(replaced);
   sync_directory(target_);
 }
 

@@ -22,8 +22,10 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int number() const { return number_; }
+  /// Of the open file, which somebody else closes.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
   /// Closes, and tells the reason if the system refuses (a full disk may say so only here).
-  [[nodiscard]] int close() { return ::close(std::exchange(number_, -1)) == 0 ? 0 : errno; }
+  [[nodiscard]] int close() { return ::close(release()) == 0 ? 0 : errno; }
 
  private:
   int number_;

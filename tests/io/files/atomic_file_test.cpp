@@ -1,8 +1,10 @@
 #include "dupin/io/atomic_file.h"
 
+#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <thread>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -195,6 +197,25 @@ TEST_F(AtomicFile, grows_and_changes_until_it_takes_its_place) {
   EXPECT_EQ(read_file(path("a")), "old");
   file.commit();
   EXPECT_EQ(read_file(path("a")), "01xy4567");
+}
+
+// Which the system takes its time to free: it is closed meanwhile, but closed.
+TEST_F(AtomicFile, takes_the_place_of_a_large_file_and_leaves_none_open) {
+  const auto open_files = [] { return entries("/proc/self/fd"); };
+  const std::ptrdiff_t before = open_files();
+  for (const char letter : {'a', 'b', 'c'}) {
+    const std::string piece(std::size_t{5} << 20, letter);
+    AsideFile file(path("x"));
+    file.append(piece);
+    file.append(piece);
+    file.commit();
+    EXPECT_EQ(read_file(path("x")), piece + piece);
+  }
+  for (int i = 0; i < 1000 && open_files() > before; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(open_files(), before);
+  EXPECT_EQ(entries(directory()), 1);
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ class AsideFile {
   bool replaceable_ = true;  // target is a regular file or does not exist
   bool pending_ = false;     // the aside file exists and is ours to remove
   bool is_synced_ = true;
+  std::uint64_t unsent_ = 0;  // bytes that the disk has not been told of
 };
 
 /// For the handler of a signal that is to end the process, in whatever thread it runs: calls only
