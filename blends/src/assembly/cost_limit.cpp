@@ -186,14 +186,15 @@ class Estimator {
 
   [[nodiscard]] FilletCost cost_of(const Assembly& assembly, const ResolvedFillet& fillet,
                                    const std::array<std::uint32_t, 2>& segments) const {
-    constexpr int kFeet = 32;
+    constexpr int kFeet = 16;
+    const surfaces::FilletSampling sampling{
+        assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_};
     FilletCost result;
     for (const CanalFillet& loop : fillet.shape.loops) {
-      if (!fillet.shape.is_cope()) {
-        result.triangles += surfaces::expected_triangles(
-            loop, {assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_});
-      }
-      auto feet = canal::sampled_feet(loop, kFeet);
+      auto [triangles, feet] = fillet.shape.is_cope()
+                                   ? surfaces::ExpectedFillet{0, canal::sampled_feet(loop, kFeet)}
+                                   : surfaces::expected_fillet(loop, sampling);
+      result.triangles += triangles;
       for (std::size_t side = 0; side < 2; ++side) {
         result.feet.at(side).push_back(std::move(feet.at(side)));
       }

@@ -291,10 +291,11 @@ class Mesher {
 
 }  // namespace
 
-double expected_triangles(const CanalFillet& loop, const FilletSampling& sampling) {
-  constexpr int kSteps = 32;
+ExpectedFillet expected_fillet(const CanalFillet& loop, const FilletSampling& sampling) {
+  constexpr int kSteps = 16;
   constexpr double kHalved = 1.4;  // rows are placed by halving
   const double allowed = allowed_error(sampling.tolerance, displacement_of(loop, sampling.grid));
+  ExpectedFillet result;
   double columns = 2, rows = 0;
   FilletRow last = row_at(loop, 0);
   for (int i = 1; i <= kSteps; ++i) {
@@ -302,9 +303,13 @@ double expected_triangles(const CanalFillet& loop, const FilletSampling& samplin
     columns = std::max(columns, columns_across(next, allowed));
     const double bend = (next.ball.velocity - last.ball.velocity).norm() * (kTurn / kSteps) / 8;
     rows += std::max(turns_between(loop, sampling, last, next), std::sqrt(4 * bend / allowed));
+    for (std::size_t side = 0; side < 2; ++side) {
+      result.feet.at(side).push_back(next.arc.feet.at(side));
+    }
     last = next;
   }
-  return 2 * kHalved * rows * columns;
+  result.triangles = 2 * kHalved * rows * columns;
+  return result;
 }
 
 FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) {

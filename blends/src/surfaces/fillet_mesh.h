@@ -34,8 +34,13 @@ struct FilletSampling {
 /// Error{limit_exceeded} for too many triangles.
 [[nodiscard]] FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling);
 
-/// How many triangles fillet_mesh() makes, about: within a factor of 2 or 3. Takes as long for any
-/// number.
-[[nodiscard]] double expected_triangles(const CanalFillet& loop, const FilletSampling& sampling);
+/// What fillet_mesh() makes of a loop, about.
+struct ExpectedFillet {
+  double triangles = 0;                   ///< within a factor of 2 or 3
+  std::array<std::vector<Vec3>, 2> feet;  ///< some, in their order, on both quadrics
+};
+/// Takes as long for any number of triangles.
+[[nodiscard]] ExpectedFillet expected_fillet(const CanalFillet& loop,
+                                             const FilletSampling& sampling);
 
 }  // namespace dupin::surfaces
