@@ -203,7 +203,7 @@ class Rounding {
   /// The surface made a solid again where it crosses itself, and rounded. None if nothing is left,
   /// or if what is lost is further away from it than the rest of the tolerance.
   std::optional<Rounded> cut(const Rounded& surface, std::span<const Fault> faults,
-                             PastRounds past) const {
+                             PastRounds past) {
     const double most = tolerance_ - past.distance() - kReachGrowth * step_;
     if (!(most > 0)) {
       return std::nullopt;
@@ -211,6 +211,7 @@ class Rounding {
     const auto made =
         without_self_crossings(surface.mesh(), surface.sources(), faults, step_, most);
     if (!made) {
+      would_lose_ = true;
       return std::nullopt;
     }
     past.moved += made->lost;
@@ -421,6 +422,7 @@ class Rounding {
   RoundedPoints rounded_;
   std::vector<std::uint32_t> representatives_, shell_of_;
   double step_ = 0, double_step_ = 0, tolerance_ = 0;
+  bool would_lose_ = false;  // what is further away than the tolerance, if it were cut
 };
 
 /// A result of so many triangles, less its mesh and sources.
@@ -548,6 +550,7 @@ Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
        .coordinates = coordinates_,
        .is_far = box.sizes().maxCoeff() < rounded_.largest,
        .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
+       .is_loss = would_lose_,
        .is_nothing = is_nothing});
 }
 

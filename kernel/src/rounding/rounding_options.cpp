@@ -93,7 +93,8 @@ Error unroundable_error(const Unroundable& what) {
           ? "rounding leaves nothing of the solid, which is smaller than the numbers of the target "
             "format can tell"
           : "no valid mesh with coordinates of the target format within the tolerance of " +
-                decimal(what.tolerance, kMessageDigits);
+                decimal(what.tolerance, kMessageDigits) +
+                (what.is_loss ? ", unless what is thinner than their distances is lost" : "");
   std::vector<std::string> remedies;
   if (what.is_on_output_grid) {
     remedies.emplace_back("a finer grid, or none");

@@ -31,7 +31,9 @@ struct Unroundable {
   Coordinates coordinates = Coordinates::binary64;
   bool is_far = false;             ///< the solid is smaller than its distance from the origin
   bool is_on_output_grid = false;  ///< the numbers are those of RoundingOptions::output_grid
-  bool is_nothing = false;         ///< what rounding leaves has no triangle, whatever the tolerance
+  bool is_loss =
+      false;  ///< cut, it would be valid, but lack what is further off than the tolerance
+  bool is_nothing = false;  ///< what rounding leaves has no triangle, whatever the tolerance
 };
 
 /// With the options that may help. Ends by asking for a larger tolerance, unless none helps.

@@ -79,6 +79,10 @@ TEST(UnroundableError, names_the_place_and_only_what_may_help) {
   EXPECT_THAT(near.what(), HasSubstr("0.5"));
   EXPECT_THAT(near.what(), Not(HasSubstr("recentring")));
   EXPECT_THAT(near.what(), Not(HasSubstr("STL")));
+  EXPECT_THAT(near.what(), Not(HasSubstr("lost")));
+  EXPECT_THAT(unroundable_error({.tolerance = 0.5, .is_loss = true}).what(),
+              HasSubstr("within the tolerance of 0.5, unless what is thinner than their distances "
+                        "is lost"));
   Unroundable what{.at = {1234567.25, 2, 3},
                    .tolerance = 0.5,
                    .coordinates = Coordinates::binary32,

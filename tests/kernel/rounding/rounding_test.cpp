@@ -201,6 +201,7 @@ TEST(ToMesh, loses_nothing_further_away_than_it_says) {
       gone += rounded.report().removed_shells;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::unroundable);
+      EXPECT_THAT(error.what(), testing::HasSubstr("lost"));
       ++refused;
     }
   }
