@@ -271,15 +271,41 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
     require_something_left(own, settled.triangle_count());
   }
   tell(progress, "round");
+  RoundingOptions options = rounding;
+  options.tries_remedies = false;
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points;
-  Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)
-                          : to_mesh(settled, to.format.coordinates, rounding);
+  Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, options, own)
+                          : to_mesh(settled, to.format.coordinates, options);
   refuse_if_chosen(rounded.contacts(), true, to, contacts);
   refuse_to_be_welded(rounded.contacts(), to, contacts);
   if (own.settled) {
     add_settled(*std::move(own.settled), report);
   }
   return rounded;
+}
+
+Rounded rounded_or_told_how(std::span<const Solid> solids, Coordinates coordinates,
+                            const RoundingOptions& rounding,
+                            const std::function<Rounded(const RoundingOptions&)>& attempt) {
+  try {
+    return attempt(rounding);
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
+    }
+    throw with_remedies_tried(
+        error, solids, coordinates, rounding, [&](const RoundingOptions& tried) {
+          try {
+            static_cast<void>(attempt(tried));
+            return true;
+          } catch (const Error& again) {
+            if (again.code() != Errc::unroundable && again.code() != Errc::contact) {
+              throw;
+            }
+            return false;
+          }
+        });
+  }
 }
 
 OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHeader header,
@@ -314,9 +340,12 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
                          MeshHeader header, const ContactChoice& contacts, const Progress& progress,
                          TriMesh* written, const NormalsOf& normals) {
   OutputReport report;
-  const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, report, progress);
-  return write_rounded(rounded, to, std::move(header), std::move(report), progress, written,
-                       normals);
+  const Rounded mesh = rounded_or_told_how(
+      {&solid, 1}, to.format.coordinates, rounding, [&](const RoundingOptions& options) {
+        report = {};
+        return settled_and_rounded(solid, to, options, contacts, report, progress);
+      });
+  return write_rounded(mesh, to, std::move(header), std::move(report), progress, written, normals);
 }
 
 TriMesh in_own_place(const Rounded& rounded) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,11 +71,17 @@ using NormalsOf = std::function<CornerNormals(const TriMesh& mesh, double moved)
                                        const NormalsOf& normals = {});
 
 /// The first half of it, up to the one rounding. What it tells comes behind what the report says of
-/// other solids already.
+/// other solids already. Remedies are not tried.
 [[nodiscard]] Rounded settled_and_rounded(const Solid& solid, const Destination& to,
                                           const RoundingOptions& rounding,
                                           const ContactChoice& contacts, OutputReport& report,
                                           const Progress& progress = {});
+
+/// What `attempt` makes of these solids. Where it throws Error{unroundable}, it is asked again, and
+/// the error says with which other options it would do.
+[[nodiscard]] Rounded rounded_or_told_how(
+    std::span<const Solid> solids, Coordinates coordinates, const RoundingOptions& rounding,
+    const std::function<Rounded(const RoundingOptions&)>& attempt);
 
 /// The second half.
 [[nodiscard]] OutputReport write_rounded(const Rounded& rounded, const Destination& to,

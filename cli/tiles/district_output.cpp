@@ -49,16 +49,15 @@ RoundingOptions rounding_of_districts(RoundingOptions rounding, std::span<const 
   return rounding;
 }
 
-OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxes> boxes,
-                             const Destination& to, const RoundingOptions& rounding,
-                             MeshHeader header, const ContactChoice& contacts, TriMesh* written,
-                             const NormalsOf& normals) {
-  OutputReport report;
-  const RoundingOptions options = rounding_of_districts(rounding, boxes);
+namespace {
+
+Rounded rounded_districts(std::span<const Solid> solids, std::span<const Boxes> boxes,
+                          const Destination& to, const RoundingOptions& rounding,
+                          const ContactChoice& contacts, OutputReport& report) {
   std::vector<std::optional<Rounded>> rounded(solids.size());
   std::vector<OutputReport> reports(solids.size());
   for_each_in_parallel(rounded.size(), [&](std::size_t i) {
-    rounded[i] = settled_and_rounded(solids[i], to, options, contacts, reports[i]);
+    rounded[i] = settled_and_rounded(solids[i], to, rounding, contacts, reports[i]);
   });
   std::vector<Rounded> all;
   for (std::size_t i = 0; i < rounded.size(); ++i) {
@@ -67,9 +66,26 @@ OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxe
       add_settled(*std::move(reports[i].settled), report);
     }
   }
-  const Rounded whole = joined(all, boxes);
-  require_something_left(whole.report(), whole.mesh().triangles.size(), options);
+  Rounded whole = joined(all, boxes);
+  require_something_left(whole.report(), whole.mesh().triangles.size(), rounding);
   require_something_left(report, whole.mesh().triangles.size());
+  return whole;
+}
+
+}  // namespace
+
+OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxes> boxes,
+                             const Destination& to, const RoundingOptions& rounding,
+                             MeshHeader header, const ContactChoice& contacts, TriMesh* written,
+                             const NormalsOf& normals) {
+  OutputReport report;
+  const Rounded whole = rounded_or_told_how(
+      solids, to.format.coordinates, rounding_of_districts(rounding, boxes),
+      [&](const RoundingOptions& options) {
+        report = {};
+        return rounded_districts(solids, boxes, to, rounding_of_districts(options, boxes), contacts,
+                                 report);
+      });
   return write_rounded(whole, to, std::move(header), std::move(report), {}, written, normals);
 }
 

@@ -2,8 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <random>
+#include <regex>
 #include <string>
+#include <vector>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +51,39 @@ TEST_F(Output, a_chain_of_pipes_needs_no_files) {
       " | dupin -q subtract - b.off -o - --format stl | dupin check - --json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(nlohmann::json::parse(result.out).at("volume"), 7);
+}
+
+// Of solids that are apart, each rounds for itself, but what is said of one has to do for all.
+TEST_F(Output, names_a_tolerance_with_which_all_is_written) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> angle(0, 3);
+  int named = 0;
+  for (int round = 0; round < 12; ++round) {
+    std::vector<std::string> command{"union"};
+    for (int i = 0; i < 4; ++i) {
+      TriMesh tube = test::tube(0.05, 0, 4, 96);
+      const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle(random), Vec3::UnitX()) *
+                                    Eigen::AngleAxisd(angle(random), Vec3::UnitY()))
+                                       .toRotationMatrix();
+      for (Vec3& point : tube.points) {
+        point = turn * point + Vec3(1e6 + 40 * i, -3e5, 2e5);
+      }
+      command.push_back("tube" + std::to_string(i) + ".off");
+      put(command.back(), tube);
+    }
+    const auto with = [&](const std::string& tolerance) {
+      std::vector<std::string> all = command;
+      all.insert(all.end(), {"-o", "x.stl", "-q", "--rounding-tolerance", tolerance});
+      return dupin(all);
+    };
+    const ProcessResult refused = with("0.015625");
+    std::smatch found;
+    if (std::regex_search(refused.err, found, std::regex(R"(\(([0-9.]+) would do\))"))) {
+      EXPECT_EQ(with(found[1]).exit_code, 0) << round << ": " << found[1];
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 6);
 }
 
 TEST_F(Output, has_no_contacts_where_they_are_refused_whichever_the_command) {

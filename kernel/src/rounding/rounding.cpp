@@ -74,7 +74,6 @@ class Rounding {
     past_.triangles = past_.triangles == 0 ? exact.triangles.size() : past_.triangles;
   }
 
-  [[nodiscard]] double tolerance() const { return tolerance_; }
   /// The one that is taken where none is asked for.
   [[nodiscard]] double usual_tolerance() const { return kDefaultTolerance * step_; }
 
@@ -554,23 +553,6 @@ Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
        .is_nothing = is_nothing});
 }
 
-namespace {
-
-bool rounds(const mesh::ExactMesh& solid, Coordinates coordinates, RoundingOptions options,
-            double tolerance) {
-  options.tolerance = tolerance;
-  try {
-    static_cast<void>(Rounding(solid, coordinates, options).run());
-    return true;
-  } catch (const Error& error) {
-    if (error.code() != Errc::unroundable) {
-      throw;
-    }
-    return false;
-  }
-}
-
-}  // namespace
 }  // namespace dupin::rounding
 
 namespace dupin {
@@ -578,22 +560,34 @@ namespace dupin {
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
   const UsualArithmetic usual;
   rounding::validate(options);
-  rounding::Rounding rounding(solid.exact(), coordinates, options);
   try {
-    return rounding.run_with_warnings();
+    return rounding::Rounding(solid.exact(), coordinates, options).run_with_warnings();
   } catch (const Error& error) {
-    if (error.code() != Errc::unroundable) {
+    if (error.code() != Errc::unroundable || !options.tries_remedies) {
       throw;
     }
-    const Error tried = rounding::with_larger_tolerance(
-        error, rounding.tolerance(), rounding.usual_tolerance(), [&](double tolerance) {
-          return rounding::rounds(solid.exact(), coordinates, options, tolerance);
-        });
-    throw rounding::with_recentring_tried(tried, [&] {
-      return rounding::rounds(solid.exact(), coordinates, rounding::recentred(options),
-                              options.tolerance);
-    });
+    throw with_remedies_tried(error, {&solid, 1}, coordinates, options,
+                              [&](const RoundingOptions& tried) {
+                                return rounding::does_round([&] {
+                                  static_cast<void>(to_mesh(solid, coordinates, tried));
+                                  return true;
+                                });
+                              });
   }
+}
+
+Error with_remedies_tried(const Error& error, std::span<const Solid> solids,
+                          Coordinates coordinates, const RoundingOptions& options,
+                          const std::function<bool(const RoundingOptions&)>& would_do) {
+  const UsualArithmetic arithmetic;
+  double usual = 0;
+  for (const Solid& solid : solids) {
+    usual =
+        std::max(usual, rounding::Rounding(solid.exact(), coordinates, options).usual_tolerance());
+  }
+  RoundingOptions tried = options;
+  tried.tries_remedies = false;
+  return rounding::with_remedies_tried(error, tried, usual, would_do);
 }
 
 }  // namespace dupin

@@ -69,11 +69,8 @@ std::optional<RoundedApart> separated_and_rounded(const Solid& solid, Coordinate
   return std::nullopt;
 }
 
-}  // namespace
-
-RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
-                           const RoundingOptions& options) {
-  const UsualArithmetic usual;
+/// rounded_apart(), which tries no remedies.
+RoundedApart untried(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
   if (!solid.contacts().empty()) {
     if (auto apart = separated_and_rounded(solid, coordinates, options)) {
       return *std::move(apart);
@@ -84,6 +81,27 @@ RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
   const double length = report.parted_by;
   std::vector<Contact> contacts = report.parted;
   return {std::move(rounded), length, std::move(contacts)};
+}
+
+}  // namespace
+
+RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
+                           const RoundingOptions& options) {
+  const UsualArithmetic usual;
+  RoundingOptions own = options;
+  own.tries_remedies = false;
+  try {
+    return untried(solid, coordinates, own);
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable || !options.tries_remedies) {
+      throw;
+    }
+    throw with_remedies_tried(
+        error, {&solid, 1}, coordinates, own, [&](const RoundingOptions& tried) {
+          return rounding::does_round(
+              [&] { return untried(solid, coordinates, tried).rounded.contacts().empty(); });
+        });
+  }
 }
 
 }  // namespace dupin

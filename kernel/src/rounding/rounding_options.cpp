@@ -115,33 +115,55 @@ Error unroundable_error(const Unroundable& what) {
   return Error(Errc::unroundable, message, {}, decimal(what.at));
 }
 
-Error with_larger_tolerance(const Error& error, double tolerance, double usual,
-                            const std::function<bool(double)>& would_do) {
-  if (!error.message().ends_with(kLargerTolerance)) {
-    return error;
+bool does_round(const std::function<bool()>& attempt) {
+  try {
+    return attempt();
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
+    }
+    return false;
   }
-  constexpr double kGrowth = 4;
-  std::vector<double> tries;
-  for (double more = kGrowth * tolerance; more <= kGrowth * kGrowth * kGrowth * tolerance;
-       more *= kGrowth) {
-    tries.push_back(more);
-  }
-  if (usual > tries.back()) {
-    tries.push_back(usual);
-  }
-  const auto found = std::ranges::find_if(tries, would_do);
-  const std::string message =
-      found == tries.end() ? without(error.message(), kLargerTolerance) + "; a tolerance of " +
-                                 decimal_at_least(tries.back()) + " would not do"
-                           : error.message() + " (" + decimal_at_most(*found) + " would do)";
-  return Error(error.code(), message, error.part(), error.where());
 }
 
-Error with_recentring_tried(const Error& error, const std::function<bool()>& would_do) {
-  const bool is_asked_for = error.message().find(kRecentring) != std::string::npos;
-  return !is_asked_for || would_do() ? error
-                                     : Error(error.code(), without(error.message(), kRecentring),
-                                             error.part(), error.where());
+namespace {
+
+/// Larger ones, each as it is said, and last `usual`.
+std::vector<double> larger_tolerances(double tolerance, double usual) {
+  constexpr double kGrowth = 4;
+  constexpr int kTries = 3;
+  std::vector<double> tries;
+  for (int i = 0; i < kTries; ++i) {
+    tolerance *= kGrowth;
+    tries.push_back(rounded(tolerance, kMessageDigits));
+  }
+  if (usual > tries.back()) {
+    tries.push_back(rounded(usual, kMessageDigits));
+  }
+  return tries;
+}
+
+}  // namespace
+
+Error with_remedies_tried(const Error& error, const RoundingOptions& options, double usual,
+                          const std::function<bool(const RoundingOptions&)>& would_do) {
+  std::string message = error.message();
+  if (message.ends_with(kLargerTolerance)) {
+    const auto tries = larger_tolerances(options.tolerance > 0 ? options.tolerance : usual, usual);
+    const auto found = std::ranges::find_if(tries, [&](double tolerance) {
+      RoundingOptions tried = options;
+      tried.tolerance = tolerance;
+      return would_do(tried);
+    });
+    message = found == tries.end()
+                  ? without(message, kLargerTolerance) + "; a tolerance of " +
+                        decimal(tries.back(), kMessageDigits) + " would not do"
+                  : message + " (" + decimal(*found, kMessageDigits) + " would do)";
+  }
+  if (message.find(kRecentring) != std::string::npos && !would_do(recentred(options))) {
+    message = without(message, kRecentring);
+  }
+  return Error(error.code(), message, error.part(), error.where());
 }
 
 }  // namespace dupin::rounding

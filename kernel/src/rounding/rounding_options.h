@@ -39,14 +39,15 @@ struct Unroundable {
 /// With the options that may help. Ends by asking for a larger tolerance, unless none helps.
 [[nodiscard]] Error unroundable_error(const Unroundable& what);
 
-/// The same error; where it asks for a larger tolerance than the one given, with one that would do,
-/// or with one that would not. Found by trying a few, each of which ends: larger ones, and last
-/// `usual`, which is taken where none is asked for.
-[[nodiscard]] Error with_larger_tolerance(const Error& error, double tolerance, double usual,
-                                          const std::function<bool(double)>& would_do);
+/// The same error. Where it asks for a larger tolerance, it says one that would do, or one that
+/// would not; where it asks for recentring, that goes if it would not do. Found by asking of a few
+/// options: larger tolerances than theirs, and last `usual`, which is the one where they have none;
+/// and with the origin recentred.
+[[nodiscard]] Error with_remedies_tried(
+    const Error& error, const RoundingOptions& options, double usual,
+    const std::function<bool(const RoundingOptions&)>& would_do);
 
-/// The same error; where it asks for recentring, without that if it would not do.
-[[nodiscard]] Error with_recentring_tried(const Error& error,
-                                          const std::function<bool()>& would_do);
+/// What it returns; false where that is no mesh: for Error{unroundable}.
+[[nodiscard]] bool does_round(const std::function<bool()>& attempt);
 
 }  // namespace dupin::rounding

@@ -10,6 +10,7 @@
 namespace dupin::rounding {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -102,56 +103,55 @@ TEST(UnroundableError, names_the_place_and_only_what_may_help) {
   EXPECT_THAT(unroundable_error(what).what(), Not(HasSubstr("tolerance")));
 }
 
-TEST(WithLargerTolerance, tries_a_few_and_the_usual_one) {
+TEST(WithRemediesTried, names_a_tolerance_of_a_few_and_the_usual_one) {
   const Error error = unroundable_error({.at = {1, 2, 3}, .tolerance = 0.5});
   std::vector<double> tried;
-  const auto above = [&](double least) {
-    return [&tried, least](double tolerance) {
-      tried.push_back(tolerance);
-      return tolerance > least;
-    };
+  const auto message = [&](double usual, double least, double own = 0.5) {
+    tried.clear();
+    return with_remedies_tried(error, {.tolerance = own}, usual,
+                               [&](const RoundingOptions& options) {
+                                 tried.push_back(options.tolerance);
+                                 return options.tolerance > least;
+                               })
+        .message();
   };
-  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 1000, above(5))
-                  .message()
-                  .ends_with("a larger tolerance (8 would do)"));
+  EXPECT_THAT(message(1000, 5), EndsWith("a larger tolerance (8 would do)"));
   EXPECT_EQ(tried, (std::vector<double>{2, 8}));
-  tried.clear();
-  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 1000, above(100))
-                  .message()
-                  .ends_with("a larger tolerance (1000 would do)"));
+  EXPECT_THAT(message(1000, 100), EndsWith("a larger tolerance (1000 would do)"));
   EXPECT_EQ(tried, (std::vector<double>{2, 8, 32, 1000}));
-  tried.clear();
-  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 10, above(100))
-                  .message()
-                  .ends_with("the tolerance of 0.5; a tolerance of 32 would not do"));
+  EXPECT_THAT(message(10, 100), EndsWith("the tolerance of 0.5; a tolerance of 32 would not do"));
   EXPECT_EQ(tried, (std::vector<double>{2, 8, 32}));
-  tried.clear();
+  EXPECT_THAT(message(1, 1, 1. / 3), EndsWith("a larger tolerance (1.33333 would do)"));
+  EXPECT_EQ(tried, (std::vector<double>{1.33333})) << "what is tried is what is said";
   const Error nothing = unroundable_error({.at = {1, 2, 3}, .is_nothing = true});
-  EXPECT_EQ(with_larger_tolerance(nothing, 0.5, 10, above(1)).message(), nothing.message());
-  EXPECT_TRUE(tried.empty());
+  EXPECT_EQ(with_remedies_tried(nothing, {}, 10,
+                                [](const RoundingOptions&) {
+                                  ADD_FAILURE() << "not asked for";
+                                  return false;
+                                })
+                .message(),
+            nothing.message());
 }
 
-TEST(WithRecentringTried, names_it_only_where_it_would_do) {
-  Unroundable what{
-      .at = {1, 2, 3}, .tolerance = 0.5, .coordinates = Coordinates::binary32, .is_far = true};
-  const Error far = unroundable_error(what);
-  EXPECT_EQ(with_recentring_tried(far, [] { return true; }).message(), far.message());
-  EXPECT_TRUE(with_recentring_tried(far, [] { return false; })
-                  .message()
-                  .ends_with("of 0.5; what may help: a format that holds doubles (OFF, OBJ, PLY "
-                             "instead of STL), a larger tolerance"));
-  what.coordinates = Coordinates::binary64;
-  what.is_nothing = true;
-  EXPECT_TRUE(with_recentring_tried(unroundable_error(what), [] { return false; })
-                  .message()
-                  .ends_with("the numbers of the target format can tell"));
-  const auto never = [] {
-    ADD_FAILURE() << "not asked for";
-    return false;
+TEST(WithRemediesTried, names_recentring_only_where_it_would_do) {
+  Unroundable what{.at = {1, 2, 3},
+                   .tolerance = 0.5,
+                   .coordinates = Coordinates::binary32,
+                   .is_far = true,
+                   .is_nothing = true};
+  const auto message = [&](bool would_do) {
+    return with_remedies_tried(unroundable_error(what), {}, 0.5,
+                               [&](const RoundingOptions& options) {
+                                 EXPECT_EQ(options.origin.choice, Origin::Choice::automatic);
+                                 return would_do;
+                               })
+        .message();
   };
-  what.is_far = false;
-  EXPECT_EQ(with_recentring_tried(unroundable_error(what), never).message(),
-            unroundable_error(what).message());
+  EXPECT_EQ(message(true), unroundable_error(what).message());
+  EXPECT_THAT(message(false), EndsWith("can tell; what may help: a format that holds doubles (OFF, "
+                                       "OBJ, PLY instead of STL)"));
+  what.coordinates = Coordinates::binary64;
+  EXPECT_THAT(message(false), EndsWith("the numbers of the target format can tell"));
 }
 
 TEST(Recentred, is_about_the_middle_of_the_whole) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/coordinates.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 
@@ -43,6 +45,9 @@ struct RoundingOptions {
   /// What the solid is a piece of: the automatic origin, and what the standard tolerance is taken
   /// from, are the whole's, and nothing may be left of the piece. None: the solid is the whole.
   std::optional<Whole> whole = std::nullopt;
+  /// Whether an Error{unroundable} says what would do, of all that may, which is found by trying
+  /// some; else with_remedies_tried() may do so later.
+  bool tries_remedies = true;
 };
 
 /// A shell that rounding moves by more than it is thick. Its thickness is twice its volume over its
@@ -135,6 +140,13 @@ class Rounded {
 [[nodiscard]] Rounded to_mesh(const Solid& solid, Coordinates coordinates = Coordinates::binary64,
                               const RoundingOptions& options = {});
 
+/// The Error{unroundable} of rounding all these solids with options that try no remedies: which
+/// larger tolerance would do, and recentring only if that would. Found by asking of a few such
+/// options, each of which takes one more rounding, whether all would be well with them.
+[[nodiscard]] Error with_remedies_tried(
+    const Error& error, std::span<const Solid> solids, Coordinates coordinates,
+    const RoundingOptions& options, const std::function<bool(const RoundingOptions&)>& would_do);
+
 /// Moves apart what touches itself in a rounded solid: points in the same place to neighbouring
 /// numbers, as repair does; what that does not mend is cut at itself and rounded again, a few
 /// times. For formats whose readers make such points one. `options` are those of the rounding: no
@@ -153,7 +165,7 @@ struct RoundedApart {
 /// touches itself by as few spacings of the coordinates as it takes, one, two, four to 64, or,
 /// where only the rounded solid touches itself, by moves of its points; see separate() and
 /// parted(). Where none of that does it still touches itself, and no contacts are told. Throws as
-/// to_mesh.
+/// to_mesh; with a tolerance that would do, the solid would not touch itself.
 [[nodiscard]] RoundedApart rounded_apart(const Solid& solid, Coordinates coordinates,
                                          const RoundingOptions& options = {});
 
