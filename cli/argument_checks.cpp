@@ -111,16 +111,15 @@ const NamedFile* find(const std::vector<NamedFile>& files, const fs::path& path)
   return found != files.end() ? &*found : nullptr;
 }
 
-[[noreturn]] void refuse_in_place(const NamedFile& output) {
-  throw UsageError(output.option +
-                   " would take the place of what is read: " + output.path.string());
+[[noreturn]] void refuse_in_place(const NamedFile& output, const fs::path& read) {
+  throw UsageError(output.option + " would take the place of what is read: " + read.string());
 }
 
 void refuse_in_place_of(const std::vector<NamedFile>& inputs,
                         const std::vector<NamedFile>& outputs) {
   for (const NamedFile& file : inputs) {
     if (const NamedFile* const output = find(outputs, file.path)) {
-      refuse_in_place(*output);
+      refuse_in_place(*output, file.path);
     }
   }
 }
@@ -164,7 +163,7 @@ void require_writable_outputs() {
 void require_not_written(const std::string& path) {
   const fs::path place = file_at(path);
   if (const NamedFile* const output = place.empty() ? nullptr : find(the_outputs, place)) {
-    refuse_in_place(*output);
+    refuse_in_place(*output, place);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "batch.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <iostream>
@@ -82,7 +83,12 @@ class Batch {
       tell(progress, "documents", double(done_) / double(items_.size()));
     }
     say_all();
-    return counts_["built"] == items_.size() ? ExitCode::ok : ExitCode::findings;
+    const bool is_misused = std::ranges::all_of(results_, [](const auto& result) {
+      return result->exit_code == static_cast<int>(ExitCode::usage);
+    });
+    return is_misused                          ? ExitCode::usage
+           : counts_["built"] == items_.size() ? ExitCode::ok
+                                               : ExitCode::findings;
   }
 
  private:

@@ -118,7 +118,17 @@ Repaired repaired_solid_of(const Input& input, const Progress& progress) {
 }
 
 Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name, const Progress& progress) {
-  return blaming(name, [&] { return repair(mesh, progress); });
+  return blaming(name, [&] {
+    Repaired repaired = repair(mesh, progress);
+    if (repaired.solid.empty() && !mesh.triangles.empty()) {
+      throw Error(Errc::not_closed,
+                  "it encloses nothing: of its " + std::to_string(mesh.triangles.size()) +
+                      " faces, " + std::to_string(repaired.report.degenerate_faces) +
+                      " have no area, and the others are those of sheets, there both ways round; "
+                      "a solid has one face between itself and what is outside");
+    }
+    return repaired;
+  });
 }
 
 Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,

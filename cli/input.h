@@ -53,7 +53,8 @@ struct StatedUnit {
 /// Throws Error naming the file as its part when the mesh is not a solid.
 [[nodiscard]] Solid solid_of(const Input& input);
 [[nodiscard]] Solid solid_of(const TriMesh& mesh, const std::string& name);
-/// Repairs it first. Throws Error naming the file as its part when that is not possible.
+/// Repairs it first. Throws Error naming the file as its part when that is not possible, or leaves
+/// nothing of it.
 [[nodiscard]] Repaired repaired_solid_of(const Input& input, const Progress& progress = {});
 [[nodiscard]] Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name,
                                          const Progress& progress = {});

@@ -49,14 +49,15 @@ std::string usage_text(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
-/// One line on standard error, or one JSON object.
+/// One line on standard error, or one JSON object; written at once, as other processes of mpirun
+/// write there, too.
 int fail(bool json, ExitCode code, std::string_view kind, const Error& error) {
   std::string line = error.what();
   std::replace(line.begin(), line.end(), '\n', ' ');
   if (json) {
-    std::cerr << error_json(error, kind, static_cast<int>(code)) << '\n';
+    std::cerr << error_json(error, kind, static_cast<int>(code)) + "\n";
   } else {
-    std::cerr << "dupin: " << line << '\n';
+    std::cerr << "dupin: " + line + "\n";
   }
   return static_cast<int>(code);
 }

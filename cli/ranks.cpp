@@ -120,11 +120,17 @@ bool is_under_mpirun() {
   });
 }
 
-void let_first_speak() {
+void let_another_speak() {
   constexpr std::chrono::seconds kEnough{10};
-  if (is_under_mpirun() && !is_first_of_mpirun()) {
+  if (is_under_mpirun()) {
     end_without_words();
     std::this_thread::sleep_for(kEnough);
+  }
+}
+
+void let_first_speak() {
+  if (!is_first_of_mpirun()) {
+    let_another_speak();
   }
 }
 

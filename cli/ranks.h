@@ -18,8 +18,10 @@ struct MpiModule;
 /// Whether mpirun has started this process together with others.
 [[nodiscard]] bool is_under_mpirun();
 
-/// What all processes under mpirun find wrong alike, one says: others wait until that ends them,
-/// and return where nothing does.
+/// What all processes under mpirun know to be wrong, one says: another one than this, which waits
+/// until that ends it, and returns where nothing does.
+void let_another_speak();
+/// The same where all find it alike: for all but the first.
 void let_first_speak();
 
 /// The processes of one job that mpirun has started together; one alone without mpirun. Where one
@@ -38,6 +40,7 @@ class Ranks : public Processes {
   [[nodiscard]] std::vector<std::string> exchanged(std::string_view bytes) const override;
   [[nodiscard]] std::unique_ptr<JointFile> open(const std::filesystem::path& path,
                                                 const std::string& shown) const override;
+  void let_another_speak() const override { cli::let_another_speak(); }
 
  private:
   const MpiModule* module_ = nullptr;

@@ -21,6 +21,7 @@
 #include "dupin/io/report_json.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/error.h"
+#include "exit_code.h"
 
 namespace dupin::cli {
 namespace {
@@ -162,15 +163,18 @@ class Watch {
         quiet_(common.quiet),
         json_(common.json) {}
 
-  /// Until a signal ends the program.
-  [[noreturn]] void run() {
+  /// Until a signal ends the program; or if the first build says that it was called wrongly, which
+  /// no change cures.
+  ExitCode run() {
     if (!document_.is_there()) {
       say("missing", "there is no " + item_.file + " yet; waiting for it");
     }
     for (;; std::this_thread::sleep_for(kPause)) {
       const bool was_there = document_.is_there();
       const bool is_settled = look();
-      report_ended();
+      if (report_ended() == ExitCode::usage && builds_ == 1) {
+        return ExitCode::usage;
+      }
       if (document_.is_there() && is_settled && is_changed()) {
         start();
       } else if (!document_.is_there() && was_there) {
@@ -199,18 +203,24 @@ class Watch {
     meshes_ = watched_meshes(item_.file);
     std::ranges::for_each(meshes_, &WatchedFile::set_built);
     child_ = std::make_unique<ChildProcess>(build_, json_);
+    ++builds_;
   }
 
-  void report_ended() {
+  /// Of a build that has ended, how.
+  std::optional<ExitCode> report_ended() {
     const auto ended = child_ ? child_->poll() : std::nullopt;
     if (!ended) {
-      return;
+      return std::nullopt;
     }
     child_.reset();
     if (json_) {
       std::cout << on_one_line(result_json(item_, *ended)) << std::endl;
     }
-    say("waiting", "waiting for changes of " + item_.file);
+    const auto code = static_cast<ExitCode>(ended->exit_code);
+    if (code != ExitCode::usage || builds_ > 1) {
+      say("waiting", "waiting for changes of " + item_.file);
+    }
+    return code;
   }
 
   /// With --json, all that is said is an object on a line of its own.
@@ -222,7 +232,7 @@ class Watch {
       std::cout << "{\"file\": " << string_json(item_.file) << ", \"state\": \"" << state << "\"}"
                 << std::endl;
     } else {
-      std::cerr << "dupin: " << text << std::endl;
+      std::cerr << "dupin: " + text << std::endl;
     }
   }
 
@@ -231,6 +241,7 @@ class Watch {
   std::vector<WatchedFile> meshes_;  ///< of what is built
   std::vector<std::string> build_;
   bool quiet_, json_;
+  std::size_t builds_ = 0;  ///< that were begun
   std::unique_ptr<ChildProcess> child_;
 };
 
@@ -265,7 +276,7 @@ void add_watch(CLI::App& app, Action& action) {
       if (common.quiet) {
         build.insert(build.begin() + 1, "--quiet");
       }
-      Watch(item, std::move(build), common).run();
+      return Watch(item, std::move(build), common).run();
     };
   });
 }

@@ -26,6 +26,16 @@ constexpr std::string_view kMark = "dupin-cache";
 constexpr const char* kHalfWritten = ".part";
 constexpr std::chrono::hours kKilledFor{24};
 
+/// Whether a file is called as entries are, by a digest, or as what is half written: what others
+/// have put here is not ours to remove.
+bool is_ours(const fs::path& path) {
+  constexpr std::size_t kDigits = 64;
+  const std::string name = path.filename().string(), key = name.substr(0, name.find('.'));
+  const bool is_digest =
+      key.size() == kDigits && key.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return name == key ? is_digest : (is_digest || key == kMark) && name.ends_with(kHalfWritten);
+}
+
 /// Before the bytes of an entry: what it is of, lest a file that was renamed is believed, and how
 /// many there are, always in as many digits, lest much that is none of them is read.
 std::string heading_of(const std::string& key, std::uint64_t size) {
@@ -178,7 +188,7 @@ void DistrictCache::trim(std::uint64_t most) const {
   std::uint64_t all = 0;
   std::error_code ignored;  // another build may tidy up, too
   for (const auto& file : fs::directory_iterator(folder_, ignored)) {
-    if (!file.is_regular_file(ignored) || file.path().filename() == kMark) {
+    if (!file.is_regular_file(ignored) || !is_ours(file.path())) {
       continue;
     }
     const std::uint64_t size = file.file_size(ignored);

@@ -10,8 +10,8 @@
 
 namespace dupin::cli {
 
-/// A folder of what districts came out as, each under the digest of all that decides about it: what
-/// was begun is gone on with, and what did not change is not made again. Files appear whole, but
+/// A folder of what districts came out as, each under the digest (sha256()) of all that decides
+/// about it: what was begun is gone on with, and what did not change is not made again. Files appear whole, but
 /// need not outlast a power cut; whoever reads them finds out. An entry that cannot be used,
 /// whatever is in its place, never stands in the way of a result.
 class DistrictCache {
@@ -31,8 +31,9 @@ class DistrictCache {
   void distrust(const std::string& key, const std::string& reason) const;
   /// In a line, where entries were unusable: which, and why; empty else.
   [[nodiscard]] std::string warning() const;
-  /// Removes what has not been used for longest, until at most so many bytes are left, and what
-  /// builds that were killed have left half written, after a day.
+  /// Removes entries that have not been used for longest, until at most so many bytes of them are
+  /// left, and what builds that were killed have left half written, after a day. Files that are
+  /// called otherwise stay.
   void trim(std::uint64_t most) const;
 
  private:

@@ -11,7 +11,15 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 16\n";
+constexpr std::string_view kMark = "dupin district 17\n";
+
+/// Numbers one after the other: a structure may have bytes between them, which may be any.
+template <class Item>
+struct IsPlain : std::bool_constant<std::is_arithmetic_v<Item> || std::is_enum_v<Item>> {};
+template <class Item, std::size_t count>
+struct IsPlain<std::array<Item, count>> : IsPlain<Item> {};
+template <class Item>
+concept Plain = IsPlain<Item>::value;
 
 class Writer {
  public:
@@ -22,8 +30,7 @@ class Writer {
   [[nodiscard]] std::string& bytes() { return bytes_; }
 
  private:
-  template <class Number>
-  requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   void put(const Number& number) {
     std::array<char, sizeof(Number)> raw{};
     std::memcpy(raw.data(), &number, sizeof(Number));
@@ -61,6 +68,11 @@ class Writer {
   void put(const MeshBorder& border) {
     (*this)(border.name, border.points, border.corners, border.labels);
   }
+  void put(const SeamBorder& border) { (*this)(border.shell, border.points); }
+  void put(const ShellReport& shell) {
+    (*this)(shell.first_face, shell.triangles, shell.volume, shell.depth, shell.euler_number);
+  }
+  void put(const RegionVolumes& volumes) { (*this)(volumes.outer, volumes.metal, volumes.fluid); }
   void put(const PartReport& part);
   void put(const Report& report);
   void put(const RoundingReport& report);
@@ -87,8 +99,7 @@ class Reader {
     bytes_.remove_prefix(taken.size());
     return taken;
   }
-  template <class Number>
-  requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   void get(Number& number) {
     const std::string_view raw = take(sizeof(Number));
     if (is_good_) {
@@ -131,6 +142,11 @@ class Reader {
   void get(MeshBorder& border) {
     (*this)(border.name, border.points, border.corners, border.labels);
   }
+  void get(SeamBorder& border) { (*this)(border.shell, border.points); }
+  void get(ShellReport& shell) {
+    (*this)(shell.first_face, shell.triangles, shell.volume, shell.depth, shell.euler_number);
+  }
+  void get(RegionVolumes& volumes) { (*this)(volumes.outer, volumes.metal, volumes.fluid); }
   void get(PartReport& part);
   void get(Report& report);
   void get(RoundingReport& report);

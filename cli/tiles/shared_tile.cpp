@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -49,6 +50,54 @@ void receive(std::string_view bytes, std::size_t process, std::span<const std::s
   }
 }
 
+/// The districts that this process owns, and what went wrong with the first of those that could not
+/// be made.
+struct OwnDistricts {
+  std::vector<std::optional<DistrictResult>> results;
+  Size first_fault;  // their number where there is none
+  std::exception_ptr fault;
+};
+
+OwnDistricts made_own(std::span<const std::size_t> owners, const Processes& processes,
+                      const TileWork& work) {
+  OwnDistricts own{std::vector<std::optional<DistrictResult>>(owners.size()), owners.size(), {}};
+  std::vector<std::uint8_t> is_faulty(owners.size(), 0);
+  try {
+    for_each_in_parallel(owners.size(), [&](std::size_t i) {
+      if (owners[i] == processes.own()) {
+        is_faulty[i] = 1;
+        own.results[i] = work.made(i);
+        is_faulty[i] = 0;
+      }
+    });
+  } catch (...) {  // what the first of them throws
+    own.fault = std::current_exception();
+    own.first_fault = static_cast<Size>(std::ranges::find(is_faulty, 1) - is_faulty.begin());
+  }
+  return own;
+}
+
+/// Of faults in several processes the one that has that of the first district speaks, as one
+/// process does that makes all of them.
+void agree_on_fault(const OwnDistricts& own, std::span<const std::size_t> owners,
+                    const Processes& processes) {
+  Size first = owners.size();
+  const auto* const bytes = reinterpret_cast<const char*>(&own.first_fault);
+  for (const std::string& other : processes.exchanged({bytes, sizeof(own.first_fault)})) {
+    Size its = 0;
+    std::memcpy(&its, other.data(), sizeof(its));
+    first = std::min(first, its);
+  }
+  if (first == owners.size()) {
+    return;
+  }
+  if (first == own.first_fault) {
+    std::rethrow_exception(own.fault);
+  }
+  processes.let_another_speak();
+  throw Error(Errc::cancelled, "another process has found a fault");
+}
+
 }  // namespace
 
 std::vector<std::size_t> shared_out(std::span<const double> triangles, std::size_t processes) {
@@ -86,11 +135,9 @@ void share_tile(std::span<const std::size_t> owners, const Processes& processes,
         tile.size(), [&](std::size_t i) { tile[i] = work.made(i); }, take_one);
     return;
   }
-  for_each_in_parallel(tile.size(), [&](std::size_t i) {
-    if (owners[i] == processes.own()) {
-      tile[i] = work.made(i);
-    }
-  });
+  OwnDistricts made = made_own(owners, processes, work);
+  agree_on_fault(made, owners, processes);
+  tile = std::move(made.results);
   std::string own;
   for (std::size_t i = 0; i < tile.size(); ++i) {
     if (tile[i]) {

@@ -11,6 +11,7 @@
 
 #include <CLI/App.hpp>
 
+#include "argument_checks.h"
 #include "dupin/io/streamed_format.h"
 #include "dupin/io/vtp.h"
 #include "dupin/kernel/decimal.h"
@@ -129,6 +130,9 @@ bool is_tiled(const TileArguments& arguments) {
 std::string why_not_tiled(const Destination& to) {
   if (to.is_stdout() || !is_streamed(to.format)) {
     return kTiledFormats;
+  }
+  if (to.format.key == kPvtu.key && file_at(to.path).empty()) {
+    return "there are files beside a .pvtu: it cannot be a device or a pipe";
   }
   if (!to.patches.empty()) {
     return "--patches looks at all of a solid at once, which --tiles and --memory never have";

@@ -81,7 +81,7 @@ std::uint64_t cache_size(const TileArguments& arguments) {
 class TiledBuild {
  public:
   TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments,
-             const Ranks& ranks)
+             const DistrictCache* cache, const Ranks& ranks)
       : ranks_(ranks),
         assembly_(document.assembly),
         region_(options.region),
@@ -93,13 +93,11 @@ class TiledBuild {
         rounding_(
             rounding_options(arguments.rounding, std::string(symbol(document.assembly.unit)))),
         progress_(options.progress),
-        are_tiles_asked_for_(arguments.tiles.tiles > 0 || !arguments.tiles.memory.empty()) {
+        are_tiles_asked_for_(arguments.tiles.tiles > 0 || !arguments.tiles.memory.empty()),
+        cache_(cache),
+        cache_size_(cache_size(arguments.tiles)) {
     rounding_ = rounding_of_districts(rounding_, boxes_);
     options_text_ = std::string(to_.format.key) + " " + text_of(options, contacts_, rounding_);
-    if (!arguments.tiles.cache.empty()) {
-      cache_.emplace(arguments.tiles.cache);
-      cache_size_ = cache_size(arguments.tiles);
-    }
   }
 
   // All ranks do this, and what follows, and come to the same.
@@ -152,7 +150,7 @@ class TiledBuild {
     }
     auto flushed = std::async(std::launch::async, [&] { file.flush(); });
     Built all = plan_.joined(std::move(built));
-    if (cache_ && ranks_.is_first()) {
+    if (cache_ != nullptr && ranks_.is_first()) {
       cache_->trim(cache_size_);
     }
     flushed.get();
@@ -160,8 +158,7 @@ class TiledBuild {
     OutputReport report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);
-    return TiledBuilt{std::move(all), std::move(report),
-                      cache_ ? cache_->warning() : std::string()};
+    return TiledBuilt{std::move(all), std::move(report), {}};
   }
 
   // Names of seams.
@@ -197,7 +194,7 @@ class TiledBuild {
 
   // Made, or as it was kept.
   [[nodiscard]] DistrictResult result(std::size_t district) const {
-    if (!cache_) {
+    if (cache_ == nullptr) {
       return made(district);
     }
     const Assembly document = plan_.document(district);
@@ -247,8 +244,8 @@ class TiledBuild {
   RoundingOptions rounding_;
   Progress progress_;
   bool are_tiles_asked_for_;
-  std::optional<DistrictCache> cache_;
-  std::uint64_t cache_size_ = 0;
+  const DistrictCache* cache_;
+  std::uint64_t cache_size_;
   std::string options_text_;
   std::vector<std::size_t> ends_;    // of tiles, behind their last districts
   std::vector<std::size_t> owners_;  // the ranks that make districts
@@ -307,17 +304,27 @@ void check_tiled(const BuildArguments& arguments) {
 TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const BuildArguments& arguments, const MeshHeader& header,
                           const Ranks& ranks) {
+  std::optional<DistrictCache> cache;
+  if (!arguments.tiles.cache.empty()) {
+    alike(ranks, [&] { cache.emplace(arguments.tiles.cache); });
+  }
   BuildOptions own = options;
-  return until_pieces_fit(options.most_of_piece, [&](double most_of_piece) {
+  TiledBuilt result = until_pieces_fit(options.most_of_piece, [&](double most_of_piece) {
     own.most_of_piece = most_of_piece;
-    const auto build =
-        alike(ranks, [&] { return std::make_unique<TiledBuild>(document, own, arguments, ranks); });
+    const auto build = alike(ranks, [&] {
+      return std::make_unique<TiledBuild>(document, own, arguments, cache ? &*cache : nullptr,
+                                          ranks);
+    });
     build->divide(arguments.tiles);
     auto built = build->run(header);
     // All ranks, and builds in any number of tiles, find the same ones.
     own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
     return built;
   });
+  if (cache) {
+    result.warning = cache->warning();
+  }
+  return result;
 }
 
 }  // namespace dupin::cli

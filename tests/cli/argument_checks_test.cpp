@@ -115,6 +115,7 @@ TEST_F(ArgumentChecks, no_output_takes_the_place_of_another_kind_of_input) {
                              {"build", "d.json", "-o", "in/q.x", "--format", "pvtu"}}) {
     expect_refused(words, "--output would take the place of what is read: ");
   }
+  expect_refused({"build", "in/p_0.vtu", "-o", "in/p.pvtu"}, "in/p_0.vtu");
   expect_refused({"build", "d.json", "-o", "in/r.pvtu", "--report", "in/r_3.vtu"},
                  "takes a file of its own, not that of --");
   expect_refused({"union", "a.off", "b.off", "-o", "x.off", "--patches", "b.off"},

@@ -107,6 +107,11 @@ TEST_F(Batch, what_makes_no_sense_is_refused_before_anything_is_built) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
   EXPECT_EQ(dupin({"build", "a.json", "--out-dir", "a.json/out"}).exit_code, 5);
+  folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": []})");
+  EXPECT_EQ(
+      dupin({"build", "a.json", "--out-dir", "out", "--format", "obj", "--tiles", "2"}).exit_code,
+      2)
+      << "as each document says";
 }
 
 // Processes of their own do not see each other's files.

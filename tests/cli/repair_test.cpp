@@ -55,6 +55,24 @@ TEST_F(MeshCommands, repair_says_that_points_were_doubled) {
               HasSubstr("repaired             edge.off: points doubled where it touches itself\n"));
 }
 
+// A box of which a face is open, and each other one is there both ways round.
+TEST_F(MeshCommands, repair_refuses_what_encloses_nothing) {
+  TriMesh sheet = cube(0, 2);
+  sheet.triangles.pop_back();
+  sheet = joined({sheet, reversed(sheet)});
+  put("sheet.off", sheet);
+  put("a.off", cube(5, 6));
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"repair", "sheet.off"},
+                                                  {"union", "a.off", "sheet.off", "--repair"}}) {
+    std::vector<std::string> all = command;
+    all.insert(all.end(), {"-o", "out.off"});
+    const ProcessResult result = dupin(all);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr("'sheet.off': it encloses nothing: of its 22 faces, 0 have"));
+  }
+  EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a.off", "sheet.off"}));
+}
+
 TEST_F(MeshCommands, repair_refuses_holes_and_writes_nothing) {
   TriMesh open = cube(0, 2);
   open.triangles.pop_back();

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +19,14 @@ const std::string kPrelude =
     "until_() { for i in $(seq 200); do eval \"$1\" && return 0; sleep 0.05; done; return 1; }; "
     "sphere() { echo '{\"units\": \"mm\", \"tolerance\": 0.1, \"parts\": [{\"name\": \"a\", "
     "\"sphere\": {\"center\": [0, 0, 0], \"radius\": '$1'}}]}' > new; mv new a.json; }; ";
+
+TEST_F(Watch, ends_where_no_change_of_the_document_would_help) {
+  const ProcessResult result =
+      shell(kPrelude + "sphere 1; timeout 20 " + tool_path() + " watch a.json -o a.obj --tiles 2");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, testing::HasSubstr("binary PLY and .pvtu files only"));
+  EXPECT_THAT(result.err, testing::Not(testing::HasSubstr("waiting")));
+}
 
 TEST_F(Watch, builds_again_when_the_document_changes_and_goes_on_after_errors) {
   const ProcessResult result = shell(

@@ -58,6 +58,8 @@ class ListedFiles {
     }
     files_[i]->sync();
   }
+  /// Else another process has removed it, as it could not write its own.
+  [[nodiscard]] bool is_there(std::size_t i) const { return fs::exists(files_[i]->path()); }
   void commit(AsideFile& index) {
     for (const std::unique_ptr<AsideFile>& file : files_) {
       file->commit();
@@ -185,8 +187,16 @@ void PvtuStream::commit(const MeshHeader& header, const Normals&) {
   std::size_t number = 0;
   for (const auto& [file, pieces] : files_) {
     if (are_own[number]) {
-      files.write(number, verified_volume_bytes({.surface = mesh_of(pieces)}, kVtu, header,
-                                                paths[number].string()));
+      const std::string bytes =
+          verified_volume_bytes({.surface = mesh_of(pieces)}, kVtu, header, paths[number].string());
+      try {
+        files.write(number, bytes);
+      } catch (const Error&) {
+        if (processes_ != nullptr && !files.is_there(number)) {
+          processes_->let_another_speak();
+        }
+        throw;
+      }
     }
     ++number;
   }

@@ -11,6 +11,7 @@
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/measure.h"
+#include "mesh/united_names.h"
 #include "mesh/used_points.h"
 #include "support/sequences.h"
 
@@ -153,6 +154,7 @@ Solid Solid::from(const TriMesh& mesh) {
   }
   exact->labels = mesh.labels;
   exact->names = mesh.names;
+  mesh::unite_names(exact->names, exact->labels);
   exact->sources.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     exact->sources.push_back({0, i});

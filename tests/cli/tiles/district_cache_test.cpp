@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "dupin/io/sha256.h"
 #include "exit_code.h"
 #include "support/process.h"
 
@@ -110,30 +111,52 @@ TEST(DistrictCache, is_made_by_many_at_once) {
 TEST(DistrictCache, drops_what_was_not_used_for_longest) {
   const test::TemporaryFolder folder;
   const DistrictCache cache(folder.path() / "cache");
+  const std::string a = sha256("a"), b = sha256("b"), c = sha256("c"), d = sha256("d"),
+                    killed = a + ".1-0.part", running = a + ".2-0.part";
   const auto age = [&](const std::string& name, int hours) {
     std::filesystem::last_write_time(
         folder.path() / "cache" / name,
         std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours));
   };
-  for (const auto& [key, hours] : {std::pair("a", 4), {"b", 3}, {"c", 2}, {"d", 1}}) {
+  for (const auto& [key, hours] : {std::pair(a, 4), {b, 3}, {c, 2}, {d, 1}}) {
     cache.keep(key, std::string(100, 'x'));
     age(key, hours);
   }
-  for (const auto& [name, hours] : {std::pair("killed.1-0.part", 30), {"running.2-0.part", 1}}) {
-    folder.write(std::string("cache/") + name, "half");
+  for (const auto& [name, hours] : {std::pair(killed, 30), {running, 1}}) {
+    folder.write("cache/" + name, "half");
     age(name, hours);
   }
-  EXPECT_TRUE(cache.find("a")) << "and so it is used now";
-  cache.trim(250);
-  EXPECT_TRUE(cache.find("a"));
-  EXPECT_FALSE(cache.find("b"));
-  EXPECT_FALSE(cache.find("c"));
-  EXPECT_TRUE(cache.find("d"));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "cache" / "killed.1-0.part"));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "cache" / "running.2-0.part"));
+  EXPECT_TRUE(cache.find(a)) << "and so it is used now";
+  cache.trim(400);  // of two, with their headings
+  EXPECT_TRUE(cache.find(a));
+  EXPECT_FALSE(cache.find(b));
+  EXPECT_FALSE(cache.find(c));
+  EXPECT_TRUE(cache.find(d));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "cache" / killed));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "cache" / running));
   cache.trim(0);
-  EXPECT_FALSE(cache.find("a"));
+  EXPECT_FALSE(cache.find(a));
   EXPECT_NO_THROW(DistrictCache(folder.path() / "cache")) << "it is known as a cache still";
+}
+
+TEST(DistrictCache, leaves_what_is_not_its_own) {
+  const test::TemporaryFolder folder;
+  const DistrictCache cache(folder.path() / "cache");
+  const std::string digest = sha256("x");
+  const std::vector<std::string> others{"plant.json",    "plant.stl",      "old.part",
+                                        digest + ".stl", digest.substr(1), digest + "0"};
+  for (const std::string& name : others) {
+    folder.write("cache/" + name, "precious");
+    std::filesystem::last_write_time(
+        folder.path() / "cache" / name,
+        std::filesystem::file_time_type::clock::now() - std::chrono::hours(48));
+  }
+  cache.keep(digest, "bytes");
+  cache.trim(0);
+  EXPECT_FALSE(cache.find(digest));
+  for (const std::string& name : others) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "cache" / name)) << name;
+  }
 }
 
 TEST(DistrictCache, takes_no_folder_of_others) {

@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -5,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
@@ -358,6 +361,26 @@ TEST_F(DividedBuild, does_not_divide_where_pieces_do_not_fit) {
     const std::string divided = bytes({"--piece", piece});
     EXPECT_TRUE(bytes({"--piece", piece, "--tiles", "5"}) == divided);
     EXPECT_TRUE(bytes({}) == divided) << "there is no piece that fits";
+  }
+  // Entries of the pieces that did not fit are told, too.
+  const std::vector<std::string> cached{"build",   "thin.json", "-o",      "out.stl",
+                                        "--piece", "5000",      "--cache", "kept"};
+  EXPECT_EQ(dupin(cached).err, "");
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "kept")) {
+    names.push_back("kept/" + entry.path().filename().string());
+  }
+  std::erase(names, "kept/dupin-cache");
+  EXPECT_GT(names.size(), 2);
+  std::map<std::string, std::string> kept;
+  for (const std::string& name : names) {
+    kept[name] = folder_.read(name);
+    folder_.write(name, "");
+  }
+  const std::string others = "and " + std::to_string(names.size() - 1) + " more";
+  EXPECT_THAT(dupin(cached).err, testing::HasSubstr(others));
+  for (const std::string& name : names) {
+    EXPECT_TRUE(folder_.read(name) == kept[name]) << "the same bytes";
   }
   EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
 }

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "support/thread_processes.h"
 
 namespace dupin::cli {
@@ -53,6 +54,28 @@ TEST(SharedTile, is_known_to_all_but_for_the_facets_of_others) {
             }};
     share_tile(owners, processes, work);
     EXPECT_EQ(taken, owners.size());
+  });
+}
+
+TEST(SharedTile, has_the_fault_of_its_first_faulty_district) {
+  const std::vector<std::size_t> owners{0, 2, 0, 1, 2};
+  test::ThreadProcesses::run(3, [&](const Processes& processes) {
+    const TileWork work{
+        .made = [](std::size_t i) -> DistrictResult {
+          if (i != 0) {
+            throw Error(Errc::unroundable, "district " + std::to_string(i));
+          }
+          return {};
+        },
+        .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
+        .taken = [](std::size_t i, const DistrictResult&) { ADD_FAILURE() << "district " << i; }};
+    try {
+      share_tile(owners, processes, work);
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.message(),
+                processes.own() == 2 ? "district 1" : "another process has found a fault");
+    }
   });
 }
 

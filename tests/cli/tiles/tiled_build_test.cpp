@@ -95,6 +95,22 @@ TEST_F(TiledBuild, gives_the_same_bytes_of_ply) {
   }
 }
 
+// An end that is called as its part is part of that patch.
+TEST_F(TiledBuild, names_each_patch_once) {
+  folder_.write("plant.json", R"({"units": "mm", "tolerance": 0.1, "patches": {"a.end": "a"},
+      "parts": [{"name": "a", "pipe": {"from": [0, 0, 0], "to": [20, 0, 0], "radius": 2}}]})");
+  const auto ply = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"build", "plant.json", "-o", "out.ply"});
+    EXPECT_EQ(dupin(more).exit_code, 0);
+    return folder_.read("out.ply");
+  };
+  const std::string whole = ply({"--patches", "patches.json"});
+  EXPECT_TRUE(ply({"--tiles", "1"}) == whole);
+  EXPECT_EQ(whole.find("comment label a\n"), whole.rfind("comment label a\n"));
+  const auto patches = nlohmann::json::parse(folder_.read("patches.json")).at("patches");
+  EXPECT_EQ(patches.size(), 2) << patches;
+}
+
 TEST_F(TiledBuild, writes_a_file_of_vtk_for_each_tile) {
   folder_.write("plant.json", plant(7));
   const std::vector<std::string> command{"build", "plant.json", "-o", "out.pvtu"};
@@ -114,6 +130,7 @@ TEST_F(TiledBuild, writes_a_file_of_vtk_for_each_tile) {
   EXPECT_EQ(report.at("output").at("check").at("triangles"), triangles);
   EXPECT_EQ(dupin({"build", "plant.json", "-o", "none/out.pvtu"}).exit_code, 5);
   EXPECT_EQ(dupin({"build", "plant.json", "-o", "-", "--format", "pvtu"}).exit_code, 2);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "/dev/null", "--format", "pvtu"}).exit_code, 2);
   EXPECT_EQ(dupin({"build", "plant.json", "-o", "a.pvtu", "--patches", "a.json"}).exit_code, 2);
   EXPECT_EQ(folder_.files().size(), 5);
 }

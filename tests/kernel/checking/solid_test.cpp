@@ -85,6 +85,15 @@ TEST(Solid, area_keeps_its_digits_far_from_the_origin) {
               1e-12 * size * far);
 }
 
+TEST(Solid, from_makes_labels_of_one_name_one) {
+  TriMesh mesh = joined({test::labelled(unit_box(0), "a"), test::labelled(unit_box(3), "b")});
+  mesh.names.push_back("a");
+  mesh.labels.front() = 2;
+  const Solid solid = Solid::from(mesh);
+  EXPECT_EQ(solid.names(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(solid.labels().front(), 0);
+}
+
 TEST(Solid, from_keeps_labels_and_drops_isolated_points) {
   TriMesh mesh = joined({test::labelled(unit_box(0), "low"), test::labelled(unit_box(3), "high")});
   mesh.points.insert(mesh.points.begin(), Vec3(9, 9, 9));

@@ -47,6 +47,9 @@ class Processes {
   /// All call it, with the same path. Messages name `shown`.
   [[nodiscard]] virtual std::unique_ptr<JointFile> open(const std::filesystem::path& path,
                                                         const std::string& shown) const = 0;
+  /// Called where another process ends the job, and says why: may wait for that, and return if
+  /// nothing comes of it.
+  virtual void let_another_speak() const {}
 };
 
 }  // namespace dupin

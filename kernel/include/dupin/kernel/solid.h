@@ -58,7 +58,7 @@ class Solid {
   [[nodiscard]] const std::vector<Source>& sources() const;
   /// One entry per triangle, an index into names(); empty when nothing is labelled.
   [[nodiscard]] const std::vector<std::uint32_t>& labels() const;
-  [[nodiscard]] const std::vector<std::string>& names() const;
+  [[nodiscard]] const std::vector<std::string>& names() const;  ///< each once
 
   /// For the kernel itself.
   explicit Solid(std::shared_ptr<const mesh::ExactMesh> mesh);
