@@ -64,7 +64,8 @@ void add_simplify(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<MeshToMesh>();
   add_mesh_to_mesh_options(*command, "solid", *arguments);
   command->footer(
-      "No point of either surface is further from the other than the tolerance; borders between\n"
+      "No point of either surface is further from the other than the tolerance, but for the\n"
+      "rounding to the numbers of the file, which the report tells; borders between\n"
       "labels keep their course.\n\n"
       "Examples:\n"
       "  dupin simplify plant.off light.stl --tolerance 0.5mm");

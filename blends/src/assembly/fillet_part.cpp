@@ -427,7 +427,7 @@ std::string what_would_do(const std::array<const PartSurface*, 2>& surfaces,
         .what_would_do(radius)
         .value_or("; nor does a smaller ball fit");
   }
-  const std::string named = "; the largest ball that fits has a radius of ";
+  const std::string named = "; the largest ball that fits, to 1 %, has a radius of ";
   if (bore_fits(*outside)) {
     return named + decimal(*outside);
   }

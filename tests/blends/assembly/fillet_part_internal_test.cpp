@@ -154,9 +154,10 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, far, on(far)}, "the axes are 9 apart"},
       {{run, along, on(along)}, "'along' lies inside 'run'"},
       {{run, stub, on(stub)},
-       "the fillet runs over the end of 'stub' by 0.1; the largest ball that fits has a radius of "
+       "the fillet runs over the end of 'stub' by 0.1; the largest ball that fits, to 1 %, has a "
+       "radius of "
        "0.399"},
-      {{run, branch, on(branch, 20)}, "the largest ball that fits has a radius of"},
+      {{run, branch, on(branch, 20)}, "the largest ball that fits, to 1 %, has a radius of"},
       {{run, short_of_it, on(short_of_it)}, "do not cross within their lengths"},
       {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
       {{run, aside, on(aside)},
@@ -221,7 +222,7 @@ TEST(FilletPart, names_what_fits_whatever_was_asked_for) {
       (void)between(run, branch, radius);
       FAIL() << radius;
     } catch (const Error& error) {
-      const std::string named = "; the largest ball that fits has a radius of ";
+      const std::string named = "; the largest ball that fits, to 1 %, has a radius of ";
       const std::size_t at = error.message().find(named);
       ASSERT_NE(at, std::string::npos) << error.message();
       const double largest = std::stod(error.message().substr(at + named.size()));
@@ -337,13 +338,14 @@ TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
                                 pipe("b", {0, 0, 0}, {90, 0, 45}, 10), fillet("f", "run", "b", 9)});
   document.wall = 6;
   const std::string why = refusal(document);
-  EXPECT_THAT(why, testing::HasSubstr("the largest ball that fits has a radius of "));
+  EXPECT_THAT(why, testing::HasSubstr("the largest ball that fits, to 1 %, has a radius of "));
   EXPECT_THAT(why, testing::HasSubstr("with these walls neither it nor a smaller one fits inside"));
   const auto number_after = [&](const std::string& text) {
     const std::size_t at = why.find(text);
     return at == std::string::npos ? 0 : std::stod(why.substr(at + text.size()));
   };
-  std::get<FilletBetween>(document.parts[2].shape).radius = number_after("fits has a radius of ");
+  std::get<FilletBetween>(document.parts[2].shape).radius =
+      number_after("to 1 %, has a radius of ");
   document.insulation = 1;
   EXPECT_EQ(build(document, {.tolerance = 0.5, .region = Region::insulation}).solid.components(),
             1);
@@ -379,7 +381,7 @@ TEST(FilletPart, names_the_largest_radius_that_builds) {
     };
     const std::string why = refusal(with(row.ball));
     SCOPED_TRACE(why);
-    const std::string before = "the largest ball that fits has a radius of ";
+    const std::string before = "the largest ball that fits, to 1 %, has a radius of ";
     const auto at = why.find(before);
     ASSERT_NE(at, std::string::npos);
     const double named = std::stod(why.substr(at + before.size()));

@@ -88,7 +88,7 @@ void expect_folds(const Tee& tee, const Error& error) {
   EXPECT_EQ(error.code(), Errc::infeasible_blend);
   EXPECT_THAT(error.what(), testing::HasSubstr("the fillet folds"));
   EXPECT_LT(sampled_regularity(pipes_of(tee), tee.radius_of_ball()), 0);
-  const std::string before = "the largest ball that fits has a radius of ";
+  const std::string before = "the largest ball that fits, to 1 %, has a radius of ";
   const std::string why = error.what();
   const auto at = why.find(before);
   ASSERT_NE(at, std::string::npos) << why;

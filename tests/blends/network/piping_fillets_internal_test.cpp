@@ -86,7 +86,7 @@ TEST(PipingFillets, that_do_not_fit_are_refused_or_if_chosen_noted) {
   } catch (const Error& error) {
     EXPECT_EQ(error.part(), "c0");
     EXPECT_THAT(error.what(), HasSubstr("c0-branch-fillet does not fit: "));
-    EXPECT_THAT(error.what(), HasSubstr("the largest ball that fits has a radius of"));
+    EXPECT_THAT(error.what(), HasSubstr("the largest ball that fits, to 1 %, has a radius of"));
   }
   const PipingNetwork going_on = assembly_of(line, {.fillet = 60, .keep_going = true});
   EXPECT_EQ(ball(going_on), 0);
