@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,6 +66,63 @@ TEST_F(Gaps, branches_that_start_at_one_place_of_their_run_fit) {
   const auto summary = json({"gaps", "a.json"}, 0);
   EXPECT_EQ(summary.at("findings"), 0);
   EXPECT_EQ(summary.at("pairs").size(), 4U);
+}
+
+/// Pipes of radius 1 from the origin to these places, and what is about it.
+std::string star(const std::vector<std::string>& to, const std::string& more = {}) {
+  std::string text = R"({"units": "mm", "tolerance": 0.01, "parts": [)";
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + (R"({"name": "p)" + std::to_string(i)) +
+            R"(", "pipe": {"from": [0, 0, 0], "to": [)" + to[i] + R"(], "radius": 1}})";
+  }
+  return text + more + "]}";
+}
+
+// At 89.9 and at 90 degrees alike.
+TEST_F(Gaps, ends_that_meet_at_a_right_angle_have_a_kink) {
+  folder_.write("a.json", star({"-9, 0, 0", "0, 9, 0"}));
+  const auto summary = json({"gaps", "a.json"}, 1);
+  EXPECT_EQ(summary.at("findings"), 1);
+  EXPECT_EQ(summary.at("pairs").at(0).at("verdict"), "kink");
+  EXPECT_EQ(summary.at("pairs").at(0).at("to"), "p1.start");
+  EXPECT_THAT(dupin({"gaps", "a.json"}).out,
+              HasSubstr("kink: p0.start to p1.start: kink 1.57079633 rad\n"));
+  EXPECT_EQ(json({"build", "a.json", "-o", "a.off"}, 1).at("gaps").at("findings"), 1);
+}
+
+TEST_F(Gaps, ends_that_start_in_a_third_part_face_nothing) {
+  const std::string
+      ball = R"(, {"name": "ball", "sphere": {"center": [0, 0, 0], "radius": 1}})",
+      header = R"(, {"name": "header",
+                      "pipe": {"from": [0, 0, -20], "to": [0, 0, 20], "radius": 1}})",
+      halves = R"(, {"name": "up", "pipe": {"from": [0, 0, 0], "to": [0, 0, 20], "radius": 1}},
+                      {"name": "down", "pipe": {"from": [0, 0, -20], "to": [0, 0, 0], "radius": 1}})";
+  for (const std::string& third : {ball, header, halves}) {
+    folder_.write("a.json", star({"-9, 0, 0", "0, 9, 0"}, third));
+    EXPECT_EQ(json({"gaps", "a.json"}, 0).at("findings"), 0) << third;
+    EXPECT_EQ(json({"build", "a.json", "-o", "a.off"}, 0).at("gaps").at("findings"), 0);
+  }
+  folder_.write("a.json", star({"-9, 0, 0", "0, 9, 0", "0, 0, 9"}));
+  EXPECT_EQ(json({"gaps", "a.json"}, 0).at("findings"), 0);
+  folder_.write("a.json", star({"9, 0, 0", "9, 1, 0"}));
+  EXPECT_EQ(json({"gaps", "a.json"}, 0).at("findings"), 0) << "side by side";
+}
+
+TEST_F(Gaps, of_a_piping_file_are_where_it_is_blended) {
+  folder_.write("a.pcf",
+                "UNITS-BORE MM\nUNITS-CO-ORDS MM\n"
+                "PIPE\n END-POINT 0 0 0 100\n END-POINT 900 0 0 100\n"
+                "PIPE\n END-POINT 900 0 0.02 100\n END-POINT 800 500 0 100\n");
+  const auto summary = json({"gaps", "a.pcf"}, 1);
+  ASSERT_EQ(summary.at("findings"), 1);
+  const auto joints =
+      json({"build", "a.pcf", "-o", "a.off", "--bore", "outside"}, 0).at("piping").at("joints");
+  ASSERT_EQ(joints.size(), 1);
+  for (const auto& pair : summary.at("pairs")) {
+    if (pair.at("verdict") != "open") {
+      EXPECT_NEAR(pair.at("kink").at("lower"), joints[0].at("kink"), 1e-12);
+    }
+  }
 }
 
 TEST_F(Gaps, meshes_apart_leave_a_slit) {

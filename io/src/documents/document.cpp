@@ -51,13 +51,6 @@ Document graph_document(std::string_view text, const std::string& source,
           std::move(options)};
 }
 
-GapSummary summary_of(const std::string& source, Unit unit, double connect,
-                      std::vector<Port> ports) {
-  GapSummary summary{source, unit, connect, std::move(ports), {}};
-  summary.pairs = pair_ends(summary.ports, connect);
-  return summary;
-}
-
 // The component that each part is of; empty if none is of any.
 std::vector<BillOrigin> origins(const Assembly& assembly) {
   std::vector<BillOrigin> result;
@@ -138,14 +131,22 @@ BillReport bill_report(const Document& document) {
 }
 
 GapSummary gap_summary(const Assembly& assembly, std::optional<double> connect) {
-  return summary_of(assembly.source, assembly.unit, connect.value_or(assembly.tolerance),
-                    ports(resolve(assembly)));
+  const ResolvedAssembly resolved = resolve(assembly);
+  GapSummary summary{
+      assembly.source, assembly.unit, connect.value_or(assembly.tolerance), ports(resolved), {}};
+  summary.pairs = pair_ends(resolved, summary.ports, summary.connect);
+  return summary;
 }
 
 GapSummary piping_gap_summary(std::string_view text, const std::string& source, BoreMeaning bores,
                               std::optional<double> connect) {
-  return summary_of(source, Unit::millimetre, connect.value_or(kConnectPiping),
-                    ports(parse_pcf(text, source, bores).line));
+  GapSummary summary{source,
+                     Unit::millimetre,
+                     connect.value_or(kConnectPiping),
+                     ports(parse_pcf(text, source, bores).line),
+                     {}};
+  summary.pairs = pair_ends(summary.ports, summary.connect);
+  return summary;
 }
 
 }  // namespace dupin

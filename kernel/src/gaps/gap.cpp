@@ -24,6 +24,7 @@ using exact::exact_vector;
 using exact::ExactVector;
 using exact::rational;
 using gaps::compare_distances;
+using gaps::Outlook;
 using gaps::PortTree;
 
 GapVerdict verdict_of(const GapReport& report, bool facing, bool same_normal) {
@@ -134,10 +135,13 @@ class Pairing {
       : ports_(ports),
         by_name_(ordered_by_name(ports)),
         tree_(ports, inverse(by_name_)),
-        partner_(ports.size()) {}
+        partner_(ports.size()),
+        is_second_(ports.size(), false) {}
 
   void join_welded();
   void join_nearest(double connect);
+  /// Those that are left and do not face each other.
+  void join_kinked(double connect, const LiesInPart& lies_in_part);
   [[nodiscard]] std::vector<GapPair> finish() const;
 
  private:
@@ -146,18 +150,22 @@ class Pairing {
   };
   void join(std::uint32_t a, std::uint32_t b);
   void join_within(std::span<const std::uint32_t> group);
+  template <class Nearest>
+  void join_by(const Nearest& nearest);
   [[nodiscard]] bool later(const Candidate& a, const Candidate& b) const;
 
   std::span<const Port> ports_;
   std::vector<std::uint32_t> by_name_;
   PortTree tree_;
   std::vector<std::optional<std::uint32_t>> partner_;  // of the first of a pair
+  std::vector<bool> is_second_;
 };
 
 void Pairing::join(std::uint32_t a, std::uint32_t b) {
   tree_.remove(a);
   tree_.remove(b);
   partner_[std::min(a, b)] = std::max(a, b);
+  is_second_[std::max(a, b)] = true;
 }
 
 // Rings on the same curve are neighbours in this order: it does not see which way they face.
@@ -204,11 +212,12 @@ bool Pairing::later(const Candidate& a, const Candidate& b) const {
 
 // Every port that is left waits with its nearest one. The least of these pairs is the least of all
 // pairs, and so mutually nearest; a port that comes first but whose partner is gone looks again.
-void Pairing::join_nearest(double connect) {
+template <class Nearest>
+void Pairing::join_by(const Nearest& nearest) {
   const auto order = [this](const Candidate& a, const Candidate& b) { return later(a, b); };
   std::priority_queue<Candidate, std::vector<Candidate>, decltype(order)> queue(order);
   const auto look = [&](std::uint32_t port) {
-    if (const auto partner = tree_.nearest(port, connect)) {
+    if (const auto partner = nearest(port)) {
       queue.push({port, *partner});
     }
   };
@@ -228,10 +237,31 @@ void Pairing::join_nearest(double connect) {
   }
 }
 
+void Pairing::join_nearest(double connect) {
+  join_by([&](std::uint32_t port) { return tree_.nearest(port, connect); });
+}
+
+void Pairing::join_kinked(double connect, const LiesInPart& lies_in_part) {
+  join_by([&](std::uint32_t port) -> std::optional<std::uint32_t> {
+    while (tree_.holds(port)) {
+      const auto partner = tree_.nearest(port, connect, Outlook::not_same_way);
+      if (!partner || !lies_in_part) {
+        return partner;
+      }
+      const bool is_in_part = lies_in_part(port, *partner);
+      if (!is_in_part && !lies_in_part(*partner, port)) {
+        return partner;
+      }
+      tree_.remove(is_in_part ? port : *partner);
+    }
+    return std::nullopt;
+  });
+}
+
 std::vector<GapPair> Pairing::finish() const {
   std::vector<std::uint32_t> first;
   for (std::uint32_t port = 0; port < ports_.size(); ++port) {
-    if (tree_.holds(port) || partner_[port]) {
+    if (!is_second_[port]) {
       first.push_back(port);
     }
   }
@@ -242,6 +272,9 @@ std::vector<GapPair> Pairing::finish() const {
     if (partner_[first[i]]) {
       pair.second = *partner_[first[i]];
       pair.report = measure_gap(ports_[pair.first].ring, ports_[*pair.second].ring);
+      if (pair.report.verdict == GapVerdict::open) {
+        pair.report.verdict = GapVerdict::kink;
+      }
     }
   });
   return pairs;
@@ -288,11 +321,13 @@ GapReport measure_gap(const Ring& a, const Ring& b) {
   return report;
 }
 
-std::vector<GapPair> pair_ends(std::span<const Port> ports, double connect) {
+std::vector<GapPair> pair_ends(std::span<const Port> ports, double connect,
+                               const LiesInPart& lies_in_part) {
   validate(ports, connect);
   Pairing pairing(ports);
   pairing.join_welded();
   pairing.join_nearest(connect);
+  pairing.join_kinked(connect, lies_in_part);
   return pairing.finish();
 }
 

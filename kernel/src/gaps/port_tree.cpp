@@ -7,6 +7,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "exact/exact_numbers.h"
+
 namespace dupin::gaps {
 namespace {
 
@@ -18,6 +20,20 @@ bool facing(const Vec3& normal, const Vec3& other) {
   return CGAL::angle(Kernel::Vector_3(normal.x(), normal.y(), normal.z()),
                      Kernel::Vector_3(other.x(), other.y(), other.z())) == CGAL::OBTUSE;
 }
+
+// Whether the directions are 60 degrees apart or more.
+bool is_not_same_way(const Vec3& normal, const Vec3& other) {
+  const exact::ExactVector n = exact::exact_vector(normal), m = exact::exact_vector(other);
+  const auto along = exact::dot(n, m);
+  return along <= 0 || 4 * along * along <= exact::dot(n, n) * exact::dot(m, m);
+}
+
+bool looks(const Vec3& normal, const Vec3& other, Outlook outlook) {
+  return outlook == Outlook::facing ? facing(normal, other) : is_not_same_way(normal, other);
+}
+
+// Of two directions less than 60 degrees apart, whatever rounding does.
+constexpr double kSurelySameWay = 0.6;
 
 bool within(const Vec3& a, const Vec3& b, double reach) {
   return compare_distances(a, b, Vec3::Zero(), {reach, 0, 0}) <= 0;
@@ -47,6 +63,7 @@ struct PortTree::Search {
   std::uint32_t port;
   Vec3 center, normal;
   double reach;
+  Outlook outlook;
   std::uint32_t best = kNone;
 };
 
@@ -148,7 +165,8 @@ bool PortTree::worth_visiting(const Node& node, const Search& search) const {
     return false;
   }
   const Vec3 opposed = (search.normal.array() > 0).select(node.normal_low, node.normal_high);
-  if (!facing(search.normal, opposed)) {
+  if (search.outlook == Outlook::facing ? !facing(search.normal, opposed)
+                                        : search.normal.dot(opposed) > kSurelySameWay) {
     return false;
   }
   const Vec3 closest = search.center.cwiseMax(node.low).cwiseMin(node.high);
@@ -181,7 +199,7 @@ void PortTree::visit(std::uint32_t index, Search& search) const {
     const std::uint32_t port = order_[i];
     const Ring& ring = ports_[port].ring;
     if (!held_[port] || port == search.port || !may_pair(search.port, port) ||
-        !facing(search.normal, ring.normal)) {
+        !looks(search.normal, ring.normal, search.outlook)) {
       continue;
     }
     if (search.best == kNone) {
@@ -196,9 +214,10 @@ void PortTree::visit(std::uint32_t index, Search& search) const {
   }
 }
 
-std::optional<std::uint32_t> PortTree::nearest(std::uint32_t port, double reach) const {
+std::optional<std::uint32_t> PortTree::nearest(std::uint32_t port, double reach,
+                                               Outlook outlook) const {
   const Ring& ring = ports_[port].ring;
-  Search search{port, ring.center, ring.normal, reach};
+  Search search{port, ring.center, ring.normal, reach, outlook};
   visit(0, search);
   return search.best == kNone ? std::nullopt : std::optional(search.best);
 }

@@ -13,8 +13,14 @@ namespace dupin::gaps {
 /// Compares |a b| with |c d| exactly: negative, 0 or positive.
 [[nodiscard]] int compare_distances(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// Which way an end has to look to belong to another one.
+enum class Outlook {
+  facing,        ///< against it, by less than 90 degrees off
+  not_same_way,  ///< at least 60 degrees away from where that looks
+};
+
 /// A k-d tree over the centres of ports, and over their normals where centres coincide, that finds
-/// exact nearest facing ports and lets ports be taken out.
+/// exact nearest ports of an outlook and lets ports be taken out.
 class PortTree {
  public:
   /// `ports` outlive the tree. `rank` orders them where distances tie.
@@ -24,9 +30,10 @@ class PortTree {
   [[nodiscard]] bool holds(std::uint32_t port) const { return held_[port]; }
   void remove(std::uint32_t port);
 
-  /// The nearest port still held, of another part, facing `port`, at most `reach` away; the lowest
-  /// rank among equally near ones.
-  [[nodiscard]] std::optional<std::uint32_t> nearest(std::uint32_t port, double reach) const;
+  /// The nearest port still held, of another part, with this outlook on `port`, at most `reach`
+  /// away; the lowest rank among equally near ones.
+  [[nodiscard]] std::optional<std::uint32_t> nearest(std::uint32_t port, double reach,
+                                                     Outlook outlook = Outlook::facing) const;
 
   /// Whether the ports are of different parts, or of none.
   [[nodiscard]] bool may_pair(std::uint32_t a, std::uint32_t b) const {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -48,6 +49,52 @@ TEST(PairEnds, nearest_facing_ports_belong_together) {
               ElementsAre("a-d gap", "b-c gap"));
 }
 
+// 89.9, 90, 101, 120 and 121 degrees off a straight line.
+TEST(PairEnds, ends_that_meet_at_a_sharp_angle_have_a_kink) {
+  const auto off = [](double degrees) -> Vec3 {
+    const double angle = degrees * std::numbers::pi / 180;
+    return {-std::cos(angle), std::sin(angle), 0};
+  };
+  for (const double degrees : {89.9, 90.0, 101.0, 119.99}) {
+    const std::vector<Port> ports = {port("a", {0, 0, 0}, kForth),
+                                     port("b", {0, 0.001, 0}, off(degrees))};
+    const auto pairs = pair_ends(ports, 0.01);
+    ASSERT_EQ(pairs.size(), 1) << degrees;
+    EXPECT_EQ(pairs[0].report.verdict, GapVerdict::kink) << degrees;
+    EXPECT_NEAR(pairs[0].report.kink.upper, degrees * std::numbers::pi / 180, 1e-12);
+  }
+  for (const double degrees : {120.01, 150.0, 180.0}) {
+    EXPECT_THAT(summary({port("a", {0, 0, 0}, kForth), port("b", {0, 0, 0}, off(degrees))}, 0.01),
+                ElementsAre("a open", "b open"))
+        << "as pipes that start side by side";
+  }
+}
+
+TEST(PairEnds, ends_that_face_each_other_come_before_those_that_do_not) {
+  EXPECT_THAT(summary({port("a", {0, 0, 0}, kForth), port("b", {0, 0, 0}, Vec3::UnitY()),
+                       port("c", {0.1, 0, 0}, kBack)},
+                      1),
+              ElementsAre("a-c gap", "b open"));
+}
+
+TEST(PairEnds, ends_in_a_part_belong_to_those_that_they_face) {
+  const std::vector<Port> ports = {port("a", {0, 0, 0}, kForth),
+                                   port("b", {0, 0, 0}, Vec3::UnitY()),
+                                   port("c", {0, 0, 0}, Vec3::UnitZ())};
+  const auto paired_without = [&](std::size_t in_part) {
+    std::vector<std::optional<std::size_t>> seconds;
+    for (const GapPair& pair :
+         pair_ends(ports, 1, [=](std::size_t i, std::size_t) { return i == in_part; })) {
+      seconds.push_back(pair.second);
+    }
+    return seconds;
+  };
+  using Seconds = std::vector<std::optional<std::size_t>>;
+  EXPECT_EQ(paired_without(0), (Seconds{std::nullopt, 2}));
+  EXPECT_EQ(paired_without(1), (Seconds{2, std::nullopt}));
+  EXPECT_EQ(paired_without(3), (Seconds{1, std::nullopt}));
+}
+
 TEST(PairEnds, only_what_lies_within_reach_is_paired) {
   const std::vector<Port> ports = {port("a", {0, 0, 0}, kForth), port("b", {3, 4, 0}, kBack)};
   EXPECT_THAT(summary(ports, 5), ElementsAre("a-b gap"));
@@ -93,24 +140,31 @@ TEST(PairEnds, bad_arguments_are_refused_by_name) {
 
 TEST(PairEnds, of_nothing_is_nothing) { EXPECT_TRUE(pair_ends({}, 1).empty()); }
 
-/// All pairs in order of (welded first, distance, names); each taken if both ends are free.
+/// Whether the normals are less than 60 degrees apart.
+bool look_the_same_way(const GapReport& report) {
+  return report.kink.lower > std::numbers::pi / 2 && report.kink_cosine_squared > mpq_class(1, 4);
+}
+
+/// All pairs in order of (welded, facing, distance, names); each taken if both ends are free.
 std::vector<std::optional<std::size_t>> by_brute_force(const std::vector<Port>& ports,
                                                        double connect) {
-  std::vector<std::tuple<bool, mpq_class, std::string, std::string, std::size_t, std::size_t>> all;
+  std::vector<std::tuple<int, mpq_class, std::string, std::string, std::size_t, std::size_t>> all;
   for (std::size_t i = 0; i < ports.size(); ++i) {
     for (std::size_t j = i + 1; j < ports.size(); ++j) {
       const GapReport report = measure_gap(ports[i].ring, ports[j].ring);
       const auto [low, high] = std::minmax(ports[i].name, ports[j].name);
-      if (report.verdict != GapVerdict::open && ports[i].part != ports[j].part &&
+      if (!look_the_same_way(report) && ports[i].part != ports[j].part &&
           report.distance_squared <= mpq_class(connect) * connect) {
-        all.emplace_back(report.verdict != GapVerdict::welded, report.distance_squared, low, high,
-                         i, j);
+        all.emplace_back(report.verdict == GapVerdict::welded ? 0
+                         : report.verdict == GapVerdict::open ? 2
+                                                              : 1,
+                         report.distance_squared, low, high, i, j);
       }
     }
   }
   std::sort(all.begin(), all.end());
   std::vector<std::optional<std::size_t>> partner(ports.size());
-  for (const auto& [welded, distance, low, high, i, j] : all) {
+  for (const auto& [order, distance, low, high, i, j] : all) {
     if (!partner[i] && !partner[j]) {
       partner[i] = j;
       partner[j] = i;

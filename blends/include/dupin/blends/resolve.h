@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -123,5 +124,11 @@ class BuriedEnds {
 /// or called as their part (`patches`), and without starts of branches that lie in their runs,
 /// which face nothing unless they are joined.
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
+
+/// Pairs and measures these ports of the assembly's. Ends that do not face each other make no pair
+/// where a third part lies within `connect`, as where branches start in one header, or arms in one
+/// ball. Throws as pair_ends.
+[[nodiscard]] std::vector<GapPair> pair_ends(const ResolvedAssembly& assembly,
+                                             std::span<const Port> ports, double connect);
 
 }  // namespace dupin

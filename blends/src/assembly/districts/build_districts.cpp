@@ -224,7 +224,7 @@ struct DistrictBuild::Plan {
  private:
   void measure_gaps() {
     ports = dupin::ports(resolved);
-    gaps = pair_ends(ports, options.connect);
+    gaps = pair_ends(resolved, ports, options.connect);
   }
 
   void divide() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,7 +24,8 @@ enum class GapVerdict {
   overlap,  ///< axial distance < 0
   step,     ///< no axial distance, but different radii
   turn,     ///< ellipses with equal semi-axes, turned against each other
-  kink,     ///< concentric within one plane of a, but b's normal is not a's negated
+  kink,     ///< concentric within one plane of a, but b's normal is not a's negated; or (pair_ends)
+            ///< ends that do not face each other, and belong together
   offset,   ///< nothing but a lateral offset
   open,     ///< the ends do not face each other (b.normal . a.normal >= 0), or there is no b
 };
@@ -100,13 +102,19 @@ struct GapPair {
   GapReport report;                   ///< verdict `open` without a second
 };
 
+/// Whether the end at a position in a list of ports starts or ends in a part that is neither its
+/// own nor that of the other end, as branches in their header and arms in a ball do.
+using LiesInPart = std::function<bool(std::size_t port, std::size_t other)>;
+
 /// Pairs the ports, each at most once: first those that are welded; then, nearest first, ports that
 /// face each other with centres at most `connect` apart. Distances are compared exactly; ties go to
-/// the lexicographically smaller names, then positions. What is left stands alone, `open`. Ordered
-/// by `first`. O(n log n) unless many ports have the same centre or most nearest ones contend for
-/// the same partner.
+/// the lexicographically smaller names, then positions. Of what is left, ends that near that look
+/// at least 60 degrees away from each other make pairs in the same way, with the verdict `kink`,
+/// but for those that `lies_in_part` names. The rest stands alone, `open`. Ordered by `first`. O(n
+/// log n) unless many ports have the same centre or most nearest ones contend for the same partner.
 /// Throws Error{invalid_argument}, naming the port, for an invalid ring, and for a `connect` that
 /// is negative or not finite.
-[[nodiscard]] std::vector<GapPair> pair_ends(std::span<const Port> ports, double connect);
+[[nodiscard]] std::vector<GapPair> pair_ends(std::span<const Port> ports, double connect,
+                                             const LiesInPart& lies_in_part = {});
 
 }  // namespace dupin
