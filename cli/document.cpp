@@ -288,10 +288,10 @@ GapSummary measure_ends(const Input& input, const SourceArguments& arguments,
                         const std::string& connect) {
   if (kind_of(input) == DocumentKind::piping) {
     return piping_gap_summary(input.bytes, input.name, bore_meaning(arguments.bore),
-                              length_if_given(Unit::millimetre, connect));
+                              length_if_given(Unit::millimetre, connect), arguments.keep_going);
   }
-  const Assembly assembly = read_document(input, arguments).assembly;
-  return gap_summary(assembly, length_if_given(assembly.unit, connect));
+  const Document document = read_document(input, arguments);
+  return gap_summary(document, length_if_given(document.assembly.unit, connect));
 }
 
 }  // namespace dupin::cli

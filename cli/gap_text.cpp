@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "report_text.h"
+#include "source_text.h"
 
 namespace dupin::cli {
 namespace {
@@ -48,7 +49,10 @@ void print_loops(std::ostream& out, const std::string& file,
 void print_gaps(std::ostream& out, const GapSummary& summary) {
   print_row(out, "welded", std::to_string(count(summary, GapVerdict::welded)));
   print_row(out, "open", std::to_string(count(summary, GapVerdict::open)));
-  print_row(out, "gaps", std::to_string(summary.findings()));
+  print_row(
+      out, "gaps", std::to_string(std::ranges::count_if(summary.pairs, [](const GapPair& pair) {
+        return pair.report.verdict != GapVerdict::welded && pair.report.verdict != GapVerdict::open;
+      })));
   for (const GapPair& pair : summary.pairs) {
     const GapVerdict verdict = pair.report.verdict;
     if (verdict == GapVerdict::welded || verdict == GapVerdict::open) {
@@ -62,6 +66,9 @@ void print_gaps(std::ostream& out, const GapSummary& summary) {
       separator = ", ";
     }
     out << '\n';
+  }
+  if (summary.source) {
+    print_source_notes(out, *summary.source);
   }
 }
 

@@ -83,12 +83,16 @@ void print_piping(std::ostream& out, const PcfReport& piping) {
     print_joints(out, piping, state);
   }
   print_row(out, "moved", "at most " + number(piping.network.largest_move) + " mm");
-  print_notes(out, "bore", piping.file.notes);
-  print_notes(out, "note", piping.network.notes);
-  print_notes(out, "warning", piping.file.unknown);
+  print_source_notes(out, {piping.file.notes, piping.network.notes, piping.file.unknown});
 }
 
 }  // namespace
+
+void print_source_notes(std::ostream& out, const SourceNotes& notes) {
+  print_notes(out, "bore", notes.bores);
+  print_notes(out, "note", notes.notes);
+  print_notes(out, "warning", notes.unknown);
+}
 
 void print_source(std::ostream& out, const BuildReport& report) {
   if (report.graph) {

@@ -125,6 +125,61 @@ TEST_F(Gaps, of_a_piping_file_are_where_it_is_blended) {
   }
 }
 
+const std::string kPiping =
+    "UNITS-BORE MM\nUNITS-CO-ORDS MM\n"
+    "PIPE\n END-POINT 0 0 0 114.3\n END-POINT 1000 0 0 114.3\n"
+    "PIPE\n END-POINT 1000.3 0 0 114.3\n END-POINT 2000 0 0 114.3\n";
+
+// As `build` refuses it, or says what it left out or did not understand.
+TEST_F(Gaps, of_a_piping_file_leave_nothing_out_in_silence) {
+  for (const std::string bad :
+       {" END-POINT 2500 0 0 114.3\n",
+        "ELBOW\n END-POINT 3000 0 0 114.3\n END-POINT 3300 300 0 114.3\n",
+        "PIPE\n END-POINT 4000 0 0\n END-POINT 4500 0 0\n",
+        "ELBOW\n END-POINT 3000 0 0 114.3\n END-POINT 3030 30 0 114.3\n CENTRE-POINT 3030 0 0\n"}) {
+    folder_.write("a.pcf", kPiping + bad);
+    const ProcessResult built = dupin({"build", "a.pcf", "-o", "a.off"}),
+                        refused = dupin({"gaps", "a.pcf"});
+    EXPECT_EQ(refused.exit_code, 3) << bad;
+    EXPECT_EQ(built.exit_code, 3) << bad;
+    EXPECT_EQ(refused.err, built.err);
+    EXPECT_THAT(refused.err, HasSubstr("--keep-going leaves it out"));
+    EXPECT_THAT(dupin({"gaps", "a.pcf", "--keep-going"}).out,
+                HasSubstr("refused              line "));
+    const auto kept = json({"gaps", "a.pcf", "--keep-going"}, 1);
+    const auto& notes = kept.at("source").at("notes");
+    ASSERT_EQ(notes.size(), 1);
+    EXPECT_TRUE(notes[0].at("refused"));
+    const bool is_second = notes[0].at("line") == 6;
+    EXPECT_EQ(kept.at("findings"), is_second ? 1 : 2) << "and the gap";
+    EXPECT_EQ(kept.at("pairs").size(), is_second ? 2 : 3);
+  }
+}
+
+TEST_F(Gaps, of_a_piping_file_say_what_is_not_understood) {
+  folder_.write("a.pcf", kPiping + "FOO-VALVE\n END-POINT 2000 0 0 114.3\n END-POINT 2100 0 0\n");
+  EXPECT_THAT(dupin({"gaps", "a.pcf"}).out,
+              HasSubstr("warning              line 9: 'FOO-VALVE' is not understood\n"));
+  EXPECT_EQ(json({"gaps", "a.pcf"}, 1).at("source").at("not_understood").size(), 1);
+}
+
+// The pipe between takes its neighbours' bore, as in `build`.
+TEST_F(Gaps, of_a_piping_file_have_ends_without_a_bore) {
+  folder_.write("a.pcf", kPiping + "PIPE\n END-POINT 2000 0 0\n END-POINT 2500 0 0\n");
+  const auto summary = json({"gaps", "a.pcf"}, 1);
+  EXPECT_EQ(summary.at("pairs").size(), 4);
+  EXPECT_EQ(summary.at("findings"), 1);
+  EXPECT_EQ(summary.at("source").at("notes").size(), 1);
+}
+
+TEST_F(Gaps, of_a_graph_say_what_was_left_out) {
+  folder_.write("a.graph", "n 0 0 0\nn 9 0 0\nc 0 1\nc 0 7\n");
+  EXPECT_EQ(dupin({"gaps", "a.graph", "--radius", "1"}).exit_code, 3);
+  const auto kept = json({"gaps", "a.graph", "--radius", "1", "--keep-going"}, 1);
+  EXPECT_EQ(kept.at("findings"), 1);
+  EXPECT_TRUE(kept.at("source").at("notes").at(0).at("refused"));
+}
+
 TEST_F(Gaps, meshes_apart_leave_a_slit) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   put("b.off", box({1 + 1.0 / 1024, 0, 0}, {2, 1, 1}));

@@ -32,13 +32,16 @@ class EndDirections {
     }
   }
 
+  struct Found {
+    std::optional<Vec3> outward;
+    std::optional<double> radius;  ///< also where the file has none
+  };
   /// None of an end that nothing is made of.
-  [[nodiscard]] std::map<std::pair<std::size_t, std::size_t>, Vec3> take() const {
-    std::map<std::pair<std::size_t, std::size_t>, Vec3> result;
+  [[nodiscard]] std::map<std::pair<std::size_t, std::size_t>, Found> take() const {
+    std::map<std::pair<std::size_t, std::size_t>, Found> result;
     for (std::size_t i = 0; i < outward_.size(); ++i) {
-      if (outward_[i]) {
-        result.emplace(std::pair(spans_.ports[i].component, spans_.ports[i].index), *outward_[i]);
-      }
+      const LinePort& port = spans_.ports[i];
+      result.emplace(std::pair(port.component, port.index), Found{outward_[i], port.radius});
     }
     return result;
   }
@@ -102,10 +105,12 @@ std::vector<Port> ports(const PipingLine& line) {
   for (const LinePort& port : network::line_ports(line, all)) {
     const PipingComponent& component = line.components[port.component];
     const auto found = directions.find({port.component, port.index});
-    const auto outward = found == directions.end() ? port.outward : std::optional(found->second);
-    if (outward && port.radius) {
+    const bool is_made = found != directions.end();
+    const auto outward = is_made && found->second.outward ? found->second.outward : port.outward;
+    const auto radius = is_made ? found->second.radius : port.radius;
+    if (outward && radius) {
       result.push_back({component.name + "." + std::to_string(port.index + 1),
-                        {port.center, *outward, *port.radius},
+                        {port.center, *outward, *radius},
                         component.name});
     }
   }

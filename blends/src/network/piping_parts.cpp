@@ -48,6 +48,12 @@ class ChainParts {
         snap_(options.snap),
         plan_(plan(line, options, spans, chain, network.joints, notes)) {}
 
+  // Whether a blend may take a bend's place, which is noted, or refused if none fits.
+  [[nodiscard]] bool replaces_bends() const {
+    return std::ranges::any_of(chain_.seams,
+                               [](const Seam& seam) { return seam.component.has_value(); });
+  }
+
   // Makes room for them.
   void make_blends() {
     for (std::size_t k = 1; k < chain_.legs.size(); ++k) {
@@ -432,7 +438,9 @@ void add_parts(const PipingLine& line, const PipingOptions& options, const Pipin
   for (const Chain& chain : chains) {
     tell(options.progress, "join", double(parts.size()) / double(chains.size()));
     parts.emplace_back(line, options, spans, chain, network, notes);
-    parts.back().make_blends();
+    if (options.blends_kinks || parts.back().replaces_bends()) {
+      parts.back().make_blends();
+    }
   }
   std::vector<PlannedChain> planned;
   planned.reserve(parts.size());

@@ -1,5 +1,6 @@
 #include "dupin/io/document.h"
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -138,14 +139,34 @@ GapSummary gap_summary(const Assembly& assembly, std::optional<double> connect) 
   return summary;
 }
 
+GapSummary gap_summary(const Document& document, std::optional<double> connect) {
+  GapSummary summary = gap_summary(document.assembly, connect);
+  if (document.network) {
+    summary.source = SourceNotes{{}, document.network->notes, {}};
+  }
+  return summary;
+}
+
 GapSummary piping_gap_summary(std::string_view text, const std::string& source, BoreMeaning bores,
-                              std::optional<double> connect) {
-  GapSummary summary{source,
-                     Unit::millimetre,
-                     connect.value_or(kConnectPiping),
-                     ports(parse_pcf(text, source, bores).line),
-                     {}};
+                              std::optional<double> connect, bool keep_going) {
+  PcfFile file = parse_pcf(text, source, bores);
+  PipingOptions options;
+  options.keep_going = keep_going;
+  options.blends_kinks = false;
+  std::vector<SourceNote> notes = assembly_of(file.line, options).notes;
+  std::set<std::size_t> left_out;  // lines of components
+  for (const SourceNote& note : notes) {
+    if (note.is_refusal) {
+      left_out.insert(note.line);
+    }
+  }
+  std::erase_if(file.line.components, [&](const PipingComponent& component) {
+    return left_out.contains(component.line);
+  });
+  GapSummary summary{
+      source, Unit::millimetre, connect.value_or(kConnectPiping), ports(file.line), {}};
   summary.pairs = pair_ends(summary.ports, summary.connect);
+  summary.source = SourceNotes{std::move(file.notes), std::move(notes), std::move(file.unknown)};
   return summary;
 }
 

@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_value(const OutputReport& report);
 [[nodiscard]] Json json_value(const GapSummary& summary);
 [[nodiscard]] Json json_value(const PlacementReport& placement);
+[[nodiscard]] Json notes_json(const std::vector<SourceNote>& all);
 
 /// What `make` says of each, made by all threads: reports on large documents have ten thousands.
 template <class Value, class Make>

@@ -29,14 +29,6 @@ Json part_json(const PartReport& part) {
           {"least_wall", number_or_null(part.least_wall)}};
 }
 
-Json notes_json(const std::vector<SourceNote>& all) {
-  return json_list(all, [](const SourceNote& note) -> Json {
-    return {{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
-            {"text", note.text},
-            {"refused", note.is_refusal}};
-  });
-}
-
 Json piping_json(const PcfReport& piping) {
   const auto joint_json = [](const PipingJoint& joint) -> Json {
     return {{"components", joint.components},
@@ -95,6 +87,15 @@ void put_source(Json& all, const BuildReport& report) {
 }
 
 }  // namespace
+
+Json notes_json(const std::vector<SourceNote>& all) {
+  return json_list(all, [](const SourceNote& note) -> Json {
+    return {{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
+            {"text", note.text},
+            {"refused", note.is_refusal}};
+  });
+}
+
 }  // namespace json
 
 std::string to_json(const Assembly& assembly) {

@@ -92,20 +92,28 @@ Json mesh_gap_json(const MeshGapSummary& summary) {
 }  // namespace
 
 Json json_value(const GapSummary& summary) {
-  return {{"file", summary.file},
-          {"unit", symbol(summary.unit)},
-          {"connect", summary.connect},
-          {"findings", summary.findings()},
-          {"pairs", json_list(summary.pairs, [&](const GapPair& pair) {
-             return json_value(pair, summary.ports);
-           })}};
+  Json result{{"file", summary.file},
+              {"unit", symbol(summary.unit)},
+              {"connect", summary.connect},
+              {"findings", summary.findings()},
+              {"pairs", json_list(summary.pairs, [&](const GapPair& pair) {
+                 return json_value(pair, summary.ports);
+               })}};
+  if (summary.source) {
+    result["source"] = {{"bores", notes_json(summary.source->bores)},
+                        {"not_understood", notes_json(summary.source->unknown)},
+                        {"notes", notes_json(summary.source->notes)}};
+  }
+  return result;
 }
 
 }  // namespace json
 
 std::size_t GapSummary::findings() const {
+  const auto left_out =
+      source ? std::ranges::count_if(source->notes, &SourceNote::is_refusal) : std::ptrdiff_t{0};
   return static_cast<std::size_t>(
-      std::count_if(pairs.begin(), pairs.end(), [](const GapPair& pair) {
+      left_out + std::count_if(pairs.begin(), pairs.end(), [](const GapPair& pair) {
         return pair.report.verdict != GapVerdict::welded && pair.report.verdict != GapVerdict::open;
       }));
 }

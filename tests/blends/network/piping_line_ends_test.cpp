@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "blends/network/piping_line_builder.h"
@@ -100,6 +101,35 @@ TEST(PipingLineEnds, of_a_run_that_goes_straight_on_are_along_it) {
   line.last().ports[2].radius = 30;
   line.pipe({600, 100, 0}, {600, 300, 0}, 30);
   EXPECT_EQ(verdicts(line, GapVerdict::welded), 3);
+}
+
+TEST(PipingLineEnds, without_a_bore_have_that_of_their_neighbours) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).pipe({500.3, 0, 0}, {900, 0, 0});
+  line.last().ports[0].radius = line.last().ports[1].radius = {};
+  const auto ends = ports(line.line());
+  ASSERT_EQ(ends.size(), 4);
+  EXPECT_EQ(ends[2].ring.radius, 50);
+}
+
+// What is said of components is the same with and without the blends that take long to find.
+TEST(PipingLineEnds, are_noted_without_blends) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).pipe({500, 0, 0}, {500, 500, 0});
+  line.bend({500, 500, 0}, {500, 700, 0}, {700, 700, 0}).pipe({700, 700, 0}, {900, 700, 200});
+  line.pipe({0, 2000, 0}, {500, 2000, 0}).pipe({510, 2010, 0}, {510, 2500, 0});
+  line.bend({500, 2000, 0}, {510, 2000, 0}, {510, 2010, 0});  // sharper than its pipe
+  PipingOptions options;
+  options.keep_going = true;
+  const PipingNetwork whole = line.made(options);
+  options.blends_kinks = false;
+  const PipingNetwork quick = line.made(options);
+  EXPECT_EQ(notes(quick), notes(whole));
+  EXPECT_THAT(notes(whole), testing::HasSubstr("left out"));
+  Line kinked;
+  kinked.pipe({0, 0, 0}, {500, 0, 0}).pipe({500, 0, 0}, {500, 500, 0});
+  EXPECT_EQ(kinked.made(options).assembly.parts.size(), 2);
+  EXPECT_EQ(kinked.made().assembly.parts.size(), 3);
 }
 
 TEST(PipingLineEnds, of_a_bend_that_does_not_turn_are_those_of_a_pipe) {

@@ -60,6 +60,10 @@ struct PipingOptions {
   std::optional<double> insulation = {};
   /// Of the ball of fillets between runs and branches; 0: chosen for each; none: no fillets.
   std::optional<double> fillet = {};
+  /// Else nothing is made between ends that have a kink or a gap, for who wants the notes alone: it
+  /// takes most of the time, and says nothing of components but of bends that it replaces, which
+  /// are looked at in any case.
+  bool blends_kinks = true;
   bool keep_going = false;  ///< components that are refused are left out, and noted
   std::map<std::string, std::string> refused = {};  ///< components by name, with the reason
   Progress progress = {};                           ///< may be empty
@@ -115,8 +119,8 @@ struct PipingNetwork {
 [[nodiscard]] Built build(const PipingLine& line, const PipingOptions& options,
                           PipingNetwork& network, const BuildOptions& build_options = {});
 
-/// The components' ends as the file has them, to be paired and measured; those without a direction
-/// or a radius are left out.
+/// The components' ends as the file has them, to be paired and measured, with the radius of what
+/// they are joined to where they have none; those without a direction or any radius are left out.
 [[nodiscard]] std::vector<Port> ports(const PipingLine& line);
 
 }  // namespace dupin

@@ -66,10 +66,15 @@ void take(BuildReport& report, Built&& built, Document& document, double connect
 /// Pairs and measures all ends of the parts. None: up to the document's tolerance.
 [[nodiscard]] GapSummary gap_summary(const Assembly& assembly, std::optional<double> connect = {});
 
-/// Pairs and measures the ends of a piping file's components as the file has them. None: up to a
-/// millimetre.
+/// The same, with what is said of the document's graph.
+[[nodiscard]] GapSummary gap_summary(const Document& document, std::optional<double> connect = {});
+
+/// Pairs and measures the ends of a piping file's components as the file has them, with what is
+/// said of the file. None: up to a millimetre. Throws as document_of for components that are
+/// refused, unless told to keep going without them.
 [[nodiscard]] GapSummary piping_gap_summary(std::string_view text, const std::string& source,
                                             BoreMeaning bores = BoreMeaning::automatic,
-                                            std::optional<double> connect = {});
+                                            std::optional<double> connect = {},
+                                            bool keep_going = false);
 
 }  // namespace dupin

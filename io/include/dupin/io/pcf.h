@@ -27,6 +27,11 @@ struct PcfFile {
   std::map<std::string, std::size_t> skipped;  ///< records that are known not to be solids
 };
 
+/// What is said of a piping file, as it is read and as it is made into an assembly, or of a graph.
+struct SourceNotes {
+  std::vector<SourceNote> bores, notes, unknown;
+};
+
 /// What a piping file was made into.
 struct PcfReport {
   PcfFile file;           ///< without its line

@@ -116,8 +116,9 @@ struct GapSummary {
   double connect = 0;  ///< ends up to this far apart were taken to belong together
   std::vector<Port> ports;
   std::vector<GapPair> pairs;
+  std::optional<SourceNotes> source = {};  ///< of what was made of a graph or piping file
 
-  /// Pairs that are neither welded nor open.
+  /// Pairs that are neither welded nor open, and what of the source was left out.
   [[nodiscard]] std::size_t findings() const;
 };
 
@@ -177,9 +178,8 @@ struct PlacedDocumentReport {
 /// Whether its volumes are: what is not closed() has none, and no genus.
 [[nodiscard]] bool has_volume(const Report& report);
 
-/// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
-/// the shortest decimals that read back to the same double, null where not finite. Always the same
-/// text for the same value.
+/// JSON objects, indented by two, without a final line break, the same text for the same value;
+/// keys as in docs/cli.md. Numbers are the shortest that read back to the same double, or null.
 [[nodiscard]] std::string to_json(const Report& report);
 [[nodiscard]] std::string to_json(const OutputReport& report);
 [[nodiscard]] std::string to_json(const MeshSummary& summary);
