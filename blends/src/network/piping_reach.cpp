@@ -120,45 +120,6 @@ void hide_in_run(const PipingLine& line, const Span& run, double snap, Span& bra
   }
 }
 
-// An olet, which is one arm from the axis of another component's pipe, is a branch of that.
-void find_olets(const SpanIndex& index, const PipingLine& line, double snap, PipingSpans& spans,
-                LineNotes& notes) {
-  for (std::size_t i = 0; i < spans.spans.size(); ++i) {
-    const Span& branch = spans.spans[i];
-    const PipingComponent& component = line.components[branch.component];
-    const Vec3& from = branch.ends[0].point;
-    if (component.shape != PipingShape::fitting || component.name != branch.name ||
-        branch.ends[0].port || branch.role != SpanRole::straight) {
-      continue;
-    }
-    bool is_found = false;
-    for (const std::size_t near : index.near(from)) {
-      const Span& run = spans.spans[near];
-      const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
-      const double share = (from - start).dot(way) / way.squaredNorm();
-      if (run.component != branch.component && run.role == SpanRole::straight && share > 0 &&
-          share < 1 &&
-          (from - start - share * way).norm() <= kOnAxis * std::min(run.radii[0], run.radii[1])) {
-        spans.branches.push_back({near, i});
-        is_found = true;
-        const Vec3 outward = (from - branch.ends[1].point).normalized();
-        if (const auto further = reach(from, outward, run, snap);
-            further && *further > -branch.length() / 2) {
-          spans.spans[i].ends[0].point += *further * outward;
-        }
-        hide_in_run(line, run, snap, spans.spans[i], 0, notes);
-        break;
-      }
-    }
-    if (!is_found && is_stray(spans, branch, snap)) {
-      notes.add(line.components[branch.component],
-                "its centre lies in no other component; its branch begins there, joined to "
-                "nothing");
-      spans.spans[i].ends[0].is_hidden = false;
-    }
-  }
-}
-
 // Whether a span's end disc lies in the run.
 bool is_disc_in(const Span& span, std::size_t side, const Span& run, double snap) {
   constexpr int kPoints = 64;
@@ -179,6 +140,88 @@ bool is_disc_in(const Span& span, std::size_t side, const Span& run, double snap
     }
   }
   return true;
+}
+
+// The pipe that an olet branches off: the first one about whose axis its branch begins, else that
+// in whose wall it does.
+struct OletRun {
+  std::size_t span = 0;
+  bool is_in_wall = false;
+  std::optional<double> further;  ///< to be level with the axis
+};
+
+std::optional<OletRun> run_of_olet(const SpanIndex& index, const PipingSpans& spans,
+                                   const Span& branch, double snap) {
+  const Vec3& from = branch.ends[0].point;
+  const Vec3 outward = (from - branch.ends[1].point).normalized();
+  std::optional<OletRun> in_wall;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t near : index.near(from)) {
+    const Span& run = spans.spans[near];
+    const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
+    const double share = (from - start).dot(way) / way.squaredNorm();
+    if (run.component == branch.component || run.role != SpanRole::straight) {
+      continue;
+    }
+    const double radius = std::min(run.radii[0], run.radii[1]);
+    const double aside = (from - start - share * way).norm() / radius;
+    const auto further = reach(from, outward, run, snap);
+    if (aside <= kOnAxis) {
+      if (share > 0 && share < 1) {
+        return OletRun{near, false, further};
+      }
+    } else if (further && aside < least) {
+      least = aside;
+      in_wall = OletRun{near, true, further};
+    }
+  }
+  return in_wall;
+}
+
+// A branch that passes the axis by may not lie in the pipe with all of its end.
+void note_in_wall(const PipingComponent& olet, const Span& run, double further, double snap,
+                  Span& branch, LineNotes& notes) {
+  SpanEnd& end = branch.ends[0];
+  if (end.is_hidden && !is_disc_in(branch, 0, run, snap)) {
+    end.is_hidden = false;
+    notes.add(olet, "its branch begins in " + run.name + " only in part, and sticks out of it");
+  } else if (further != 0) {
+    notes.add(olet, "its centre lies in the wall of " + run.name + "; its branch is " +
+                        (further > 0 ? "continued" : "shortened") + " by " +
+                        decimal(std::abs(further), kMessageDigits) + " to its axis");
+  }
+}
+
+// An olet, which is one arm from the axis or the wall of another component's pipe, is a branch of
+// that.
+void find_olets(const SpanIndex& index, const PipingLine& line, double snap, PipingSpans& spans,
+                LineNotes& notes) {
+  for (std::size_t i = 0; i < spans.spans.size(); ++i) {
+    Span& branch = spans.spans[i];
+    const PipingComponent& component = line.components[branch.component];
+    if (component.shape != PipingShape::fitting || component.name != branch.name ||
+        branch.ends[0].port || branch.role != SpanRole::straight) {
+      continue;
+    }
+    Vec3& from = branch.ends[0].point;
+    if (const auto found = run_of_olet(index, spans, branch, snap)) {
+      const Span& run = spans.spans[found->span];
+      spans.branches.push_back({found->span, i});
+      const bool is_moved = found->further && *found->further > -branch.length() / 2;
+      if (is_moved) {
+        from += *found->further * (from - branch.ends[1].point).normalized();
+      }
+      hide_in_run(line, run, snap, branch, 0, notes);
+      if (found->is_in_wall) {
+        note_in_wall(component, run, is_moved ? *found->further : 0, snap, branch, notes);
+      }
+    } else if (is_stray(spans, branch, snap)) {
+      notes.add(component,
+                "its centre lies in no other component; its branch begins there, joined to "
+                "nothing");
+      branch.ends[0].is_hidden = false;
+    }
+  }
 }
 
 }  // namespace

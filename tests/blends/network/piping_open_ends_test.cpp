@@ -155,6 +155,31 @@ TEST(PipingOpenEnds, of_branches_of_nothing_and_thicker_than_their_run_are_said)
 }
 
 // Whose branch reaches back over the pipe's open end, which lies in it only in part.
+// On the wall, or beyond it by less than the snap tolerance, as a pipe that is set on there.
+TEST(PipingOpenEnds, olets_on_a_wall_are_continued_to_the_axis) {
+  for (const double height : {40., 49.9, 50., 50.04}) {
+    Line line;
+    line.pipe({-300, 0, 0}, {300, 0, 0}).add(PipingShape::fitting, {{20, 130, 0}}, 15);
+    line.last().center = Vec3(20, height, 0);
+    const PipingNetwork network = line.made();
+    EXPECT_EQ(network.open_ends, 3);
+    EXPECT_THAT(notes(network),
+                testing::HasSubstr("lies in the wall of c0; its branch is continued by"));
+    (void)solid(network);
+  }
+  Line far;
+  far.pipe({-300, 0, 0}, {300, 0, 0}).add(PipingShape::fitting, {{20, 130, 0}}, 15);
+  far.last().center = Vec3(20, -50, 0);
+  EXPECT_THAT(notes(far.made()), testing::HasSubstr("shortened by 50 to its axis"));
+  far.last().center = Vec3(20, 50.06, 0);
+  EXPECT_EQ(far.made().open_ends, 4);
+  EXPECT_THAT(notes(far.made()), testing::HasSubstr("lies in no other component"));
+  Line aside;
+  aside.pipe({-300, 0, 0}, {300, 0, 0}).add(PipingShape::fitting, {{20, 130, 45}}, 15);
+  aside.last().center = Vec3(20, 0, 45);
+  EXPECT_THAT(notes(aside.made()), testing::HasSubstr("begins in c0 only in part"));
+}
+
 Line olet_beside_end(double end) {
   Line line;
   line.pipe({end, 0, 0}, {200, 0, 0});
