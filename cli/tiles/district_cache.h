@@ -11,9 +11,9 @@
 namespace dupin::cli {
 
 /// A folder of what districts came out as, each under the digest (sha256()) of all that decides
-/// about it: what was begun is gone on with, and what did not change is not made again. Files appear whole, but
-/// need not outlast a power cut; whoever reads them finds out. An entry that cannot be used,
-/// whatever is in its place, never stands in the way of a result.
+/// about it: what was begun is gone on with, and what did not change is not made again. Files
+/// appear whole, but need not outlast a power cut; whoever reads them finds out. An entry that
+/// cannot be used, whatever is in its place, never stands in the way of a result.
 class DistrictCache {
  public:
   /// Opens the folder, or makes it; others may do so at the same time. Throws OutputError for one

@@ -1,10 +1,10 @@
-#include "mesh/united_names.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "mesh/united_names.h"
 
 namespace dupin::mesh {
 namespace {
