@@ -25,6 +25,17 @@ TEST_F(Bom, of_a_document_is_what_its_formulas_say) {
   EXPECT_EQ(bill.at("density"), 7850);
 }
 
+TEST_F(Bom, refuses_a_component_by_its_line) {
+  folder_.write("a.pcf",
+                "UNITS-BORE INCH\nUNITS-CO-ORDS MM\nPIPE\n END-POINT 0 0 0 4\n"
+                " END-POINT 1000 0 0 4\n WALL-THICKNESS 6.02\n");
+  const ProcessResult refused = dupin({"bom", "a.pcf"}),
+                      built = dupin({"build", "a.pcf", "-o", "a.off"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("a.pcf:3: 'pipe-3': a wall of 152.908 leaves no bore"));
+  EXPECT_EQ(built.err.substr(0, 40), refused.err.substr(0, 40));
+}
+
 TEST_F(Bom, of_a_line_names_components_and_takes_off_pipe_by_the_metre) {
   const auto bill = json({"bom", example("line.pcf"), "--wall", "3mm"}, 0);
   bool has_elbow = false, has_pipe = false;

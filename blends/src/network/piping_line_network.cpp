@@ -148,6 +148,8 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   add_parts(line, options, spans, chains, result, notes);
   add_misfits(joints_of(line, spans, missed), result);
   result.notes = std::move(notes).take();
+  result.notes.insert(result.notes.begin(), line.notes.begin(), line.notes.end());
+  std::ranges::stable_sort(result.notes, {}, &SourceNote::line);
   std::set<std::size_t> components;
   for (const network::LinePort& port : spans.ports) {
     components.insert(port.component);

@@ -92,12 +92,13 @@ void infer_walls(const std::vector<PortPair>& pairs, const std::vector<LinePort>
   }
   std::vector<std::size_t> known;  // in the order in which walls spread: the nearest first
   known.reserve(line.components.size());
+  std::vector<bool> had_wall(line.components.size());
   for (std::size_t i = 0; i < line.components.size(); ++i) {
-    if (line.components[i].wall) {
+    had_wall[i] = line.components[i].wall.has_value();
+    if (had_wall[i]) {
       known.push_back(i);
     }
   }
-  const std::size_t own = known.size();
   for (std::size_t k = 0; k < known.size(); ++k) {
     for (const std::size_t other : joined[known[k]]) {
       if (!line.components[other].wall) {
@@ -106,14 +107,18 @@ void infer_walls(const std::vector<PortPair>& pairs, const std::vector<LinePort>
       }
     }
   }
-  if (known.size() > own) {
-    notes.add(
-        line.components[*std::min_element(known.begin() + std::ptrdiff_t(own), known.end())],
-        "has no wall of its own" +
-            (known.size() > own + 1 ? ", as " + std::to_string(known.size() - own - 1) +
-                                          " other component" + (known.size() > own + 2 ? "s" : "")
+  // What is solid from end to end has none.
+  std::erase_if(known, [&](std::size_t i) {
+    const PipingComponent& component = line.components[i];
+    return had_wall[i] || (component.shape == PipingShape::closure && component.ports.size() == 2);
+  });
+  if (!known.empty()) {
+    notes.add(line.components[*std::ranges::min_element(known)],
+              "has no wall of its own" +
+                  (known.size() > 1 ? ", as " + std::to_string(known.size() - 1) +
+                                          " other component" + (known.size() > 2 ? "s" : "")
                                     : std::string()) +
-            "; those of their neighbours are taken");
+                  "; those of their neighbours are taken");
   }
 }
 

@@ -42,13 +42,18 @@ double turn_cosine(const PipingComponent& bend) {
 class Spans {
  public:
   Spans(const PipingLine& line, const PipingOptions& options, LineNotes& notes)
-      : line_(line), options_(options), notes_(notes), is_left_out_(line.components.size()) {}
+      : line_(line),
+        options_(options),
+        notes_(notes),
+        is_left_out_(line.components.size()),
+        is_short_(line.components.size()) {}
 
   PipingSpans run() {
     for (std::size_t i = 0; i < line_.components.size(); ++i) {
-      is_left_out_[i] = is_empty(line_.components[i]);
+      is_left_out_[i] = is_empty(i);
     }
     pair_up();
+    note_short();
     refuse_without_radius();
     first_port_.resize(line_.components.size(), 0);
     for (std::size_t i = result_.ports.size(); i-- > 0;) {
@@ -73,8 +78,41 @@ class Spans {
   }
 
  private:
-  // Noted if it has no length, refused if it makes no sense.
-  bool is_empty(const PipingComponent& component) {
+  // What is no longer than the snap tolerance: a joint, if what it lies between meets there.
+  void note_short() {
+    std::vector<std::pair<double, std::size_t>> by_x;  // pairs, by where they are
+    for (std::size_t k = 0; k < result_.pairs.size(); ++k) {
+      by_x.emplace_back(result_.ports[result_.pairs[k].first].center.x(), k);
+    }
+    std::ranges::sort(by_x);
+    for (std::size_t i = 0; i < line_.components.size(); ++i) {
+      if (!is_short_[i]) {
+        continue;
+      }
+      const PipingComponent& component = line_.components[i];
+      const auto is_at = [&](std::size_t port) {
+        return std::ranges::any_of(component.ports, [&](const PipingPort& own) {
+          return (own.center - result_.ports[port].center).norm() <= options_.snap;
+        });
+      };
+      const auto& ends = component.ports;
+      const auto [low, high] = std::minmax(ends[0].center.x(), ends[1].center.x());
+      bool is_joined = false;
+      for (auto pair =
+               std::ranges::lower_bound(by_x, std::pair(low - options_.snap, std::size_t{0}));
+           pair != by_x.end() && pair->first <= high + options_.snap && !is_joined; ++pair) {
+        const PortPair& joint = result_.pairs[pair->second];
+        is_joined = is_at(joint.first) && is_at(joint.second);
+      }
+      notes_.add(component,
+                 std::string("has no length beyond the snap tolerance; ") +
+                     (is_joined ? "its neighbours are joined" : "nothing is made of it"));
+    }
+  }
+
+  // Whether it has no length, refused if it makes no sense.
+  bool is_empty(std::size_t i) {
+    const PipingComponent& component = line_.components[i];
     const auto& ports = component.ports;
     const auto refused = [&](const std::string& why) {
       notes_.refuse(component, why);
@@ -98,7 +136,7 @@ class Spans {
         return refused("it has one end instead of two");
       }
       if ((ports[0].center - ports[1].center).norm() <= options_.snap) {
-        notes_.add(component, "has no length beyond the snap tolerance; its neighbours are joined");
+        is_short_[i] = true;
         return true;
       }
     }
@@ -464,7 +502,7 @@ class Spans {
   const PipingLine& line_;
   const PipingOptions& options_;
   LineNotes& notes_;
-  std::vector<bool> is_left_out_;
+  std::vector<bool> is_left_out_, is_short_;
   std::vector<std::size_t> first_port_;
   std::vector<std::optional<std::size_t>> partners_;  // of ports
   PipingSpans result_;

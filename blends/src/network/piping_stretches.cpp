@@ -74,6 +74,10 @@ class Planner {
                               " is not larger than its pipe's radius of " +
                               decimal(result.radius, kMessageDigits));
       result.is_left_out = true;
+    } else if (bend.bend_radius && kShorterArc * *bend.bend_radius > bend_radius) {
+      notes_.add(bend, "its legs are too short for its bend radius of " +
+                           decimal(*bend.bend_radius, kMessageDigits) + "; it has one of " +
+                           decimal(bend_radius, kMessageDigits));
     }
     return result;
   }

@@ -1,12 +1,15 @@
 #include "dupin/io/document.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/graph_file.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
 namespace dupin {
@@ -62,6 +65,21 @@ std::vector<BillOrigin> origins(const Assembly& assembly) {
     is_any = is_any || !part.component.name.empty();
   }
   return is_any ? result : std::vector<BillOrigin>();
+}
+
+// A piping file's line is the place of an error, as of a build.
+BillOfMaterials bill_of(const Document& document) {
+  try {
+    return bill_of_materials(document.assembly);
+  } catch (const Error& error) {
+    const auto& parts = document.assembly.parts;
+    const auto part = std::ranges::find(parts, error.part(), &Part::name);
+    if (!document.piping || part == parts.end()) {
+      throw;
+    }
+    throw Error(error.code(), error.message(), error.part(),
+                document.assembly.source + ":" + std::to_string(part->component.line));
+  }
 }
 
 }  // namespace
@@ -125,7 +143,7 @@ void take(BuildReport& report, Built&& built, Document& document, double connect
 }
 
 BillReport bill_report(const Document& document) {
-  BillReport report{bill_of_materials(document.assembly), {}, origins(document.assembly), {}};
+  BillReport report{bill_of(document), {}, origins(document.assembly), {}};
   report.source.graph = document.network;
   report.source.piping = document.piping;
   return report;

@@ -265,6 +265,44 @@ class PcfReader {
     return result;
   }
 
+  // What a component has one of, by the keywords that say it; empty of others.
+  static std::string said_once(const std::string& keyword) {
+    return keyword == "CENTRE-POINT"                                     ? "centre point"
+           : keyword == "BEND-RADIUS"                                    ? "bend radius"
+           : keyword == "R2_OUTER_DIAM" || keyword == "OUTSIDE-DIAMETER" ? "outside diameter"
+           : keyword == "R2_WALL_THK" || keyword == "WALL-THICKNESS"     ? "wall thickness"
+                                                                         : "";
+  }
+
+  // Two that differ; a length of 0 says nothing.
+  void refuse_contradictions(const Record& record) {
+    std::map<std::string, std::pair<const Attribute*, Vec3>> said;
+    for (const Attribute& attribute : record.attributes) {
+      const std::string what = said_once(attribute.keyword);
+      if (what.empty()) {
+        continue;
+      }
+      const bool is_point = what == "centre point";
+      const double unit = what == "bend radius" ? millimetres_ : bore_millimetres_;
+      const Vec3 value =
+          is_point
+              ? point(attribute)
+              : Vec3(positive(attribute, (what.front() == 'o' ? "an " : "a ") + what, unit), 0, 0);
+      if (!is_point && value.x() == 0) {
+        continue;
+      }
+      const auto [found, is_first] = said.try_emplace(what, &attribute, value);
+      const auto& [first, before] = found->second;
+      if (!is_first && value != before) {
+        scanner_.fail_at(attribute.position, "found " + attribute.keyword + " " +
+                                                 text::quoted(attribute.text) + ", but line " +
+                                                 std::to_string(first->line) + " says " +
+                                                 text::quoted(first->text) + "; expected one " +
+                                                 what + " for the component");
+      }
+    }
+  }
+
   void add(const Record& record) {
     PipingComponent component;
     component.kind = record.head.keyword;
@@ -274,6 +312,7 @@ class PcfReader {
         component.kind.starts_with("REDUCER") || component.kind == "FLANGE-REDUCING-ECCENTRIC";
     std::optional<double> radius;
     std::vector<PipingPort> branches;
+    refuse_contradictions(record);
     for (const Attribute& attribute : record.attributes) {
       const std::string& keyword = attribute.keyword;
       if (keyword == "END-POINT") {
@@ -283,19 +322,18 @@ class PcfReader {
       } else if (keyword == "CENTRE-POINT") {
         component.center = point(attribute);
       } else if (keyword == "BEND-RADIUS") {
-        component.bend_radius = positive(attribute, "a bend radius", millimetres_) * millimetres_;
+        const double bend = positive(attribute, "a bend radius", millimetres_);
+        component.bend_radius =
+            bend > 0 ? std::optional(bend * millimetres_) : component.bend_radius;
       } else if (keyword == "R2_OUTER_DIAM" || keyword == "OUTSIDE-DIAMETER") {
         const double diameter = positive(attribute, "an outside diameter", bore_millimetres_);
-        radius = diameter > 0 ? std::optional(diameter / 2 * bore_millimetres_) : std::nullopt;
+        radius = diameter > 0 ? std::optional(diameter / 2 * bore_millimetres_) : radius;
       } else if (keyword == "R2_WALL_THK" || keyword == "WALL-THICKNESS") {
         const double wall = positive(attribute, "a wall thickness", bore_millimetres_);
-        component.wall = wall > 0 ? std::optional(wall * bore_millimetres_) : std::nullopt;
+        component.wall = wall > 0 ? std::optional(wall * bore_millimetres_) : component.wall;
       } else if (!is_known(keyword)) {
         note_unknown(attribute);
       }
-    }
-    if (component.bend_radius && !(*component.bend_radius > 0)) {
-      component.bend_radius.reset();
     }
     component.ports.insert(component.ports.end(), branches.begin(), branches.end());
     give_shape(component);
@@ -305,7 +343,7 @@ class PcfReader {
           {component.line, component.name + " has no end in space; nothing is made of it"});
       return;
     }
-    if (!repeats(component)) {
+    if (!repeats(component, radius)) {
       ++file_.kinds[component.kind];
       file_.line.components.push_back(std::move(component));
       own_radii_.push_back(radius);
@@ -347,7 +385,7 @@ class PcfReader {
 
   // The same kind between the same points, in whatever order; where they are one, with the same
   // bores: steps from bore to bore may follow each other.
-  bool repeats(const PipingComponent& component) {
+  bool repeats(const PipingComponent& component, const std::optional<double>& own_radius) {
     std::vector<std::array<double, 3>> points;
     points.reserve(component.ports.size());
     for (const PipingPort& port : component.ports) {
@@ -363,14 +401,39 @@ class PcfReader {
       points.insert(points.end(), bores.begin(), bores.end());
     }
     const auto [found, is_new] =
-        places_.try_emplace({component.kind, std::move(points)}, component.line);
-    if (!is_new && !component.ports.empty()) {
-      file_.notes.push_back({component.line, component.name + " repeats the one at line " +
-                                                 std::to_string(found->second) +
-                                                 " and is left out"});
-      return true;
+        places_.try_emplace({component.kind, std::move(points)}, file_.line.components.size());
+    if (is_new || component.ports.empty()) {
+      return false;
     }
-    return false;
+    const PipingComponent& other = file_.line.components[found->second];
+    std::string others;  // what it has others of
+    const auto differs = [&](bool is_other, const std::string& what) {
+      others += is_other ? (others.empty() ? "another " : " and another ") + what : "";
+    };
+    differs(bores_at_points(component) != bores_at_points(other) ||
+                own_radius != own_radii_[found->second],
+            "bore");
+    differs(component.wall != other.wall, "wall");
+    differs(component.center != other.center, "centre point");
+    differs(component.bend_radius != other.bend_radius, "bend radius");
+    const std::string there = "the one at line " + std::to_string(other.line);
+    file_.line.notes.push_back(
+        {component.line,
+         component.name + (others.empty() ? ": repeats " + there + "; it is left out"
+                                          : ": lies between the same points as " + there +
+                                                ", and has " + others + "; it is left out")});
+    return true;
+  }
+
+  // With the points that they are at, in order.
+  static std::vector<std::array<double, 4>> bores_at_points(const PipingComponent& component) {
+    std::vector<std::array<double, 4>> result;
+    for (const PipingPort& port : component.ports) {
+      result.push_back(
+          {port.center.x(), port.center.y(), port.center.z(), port.radius.value_or(0)});
+    }
+    std::ranges::sort(result);
+    return result;
   }
 
   // Each keyword once, where it occurs first.

@@ -155,6 +155,41 @@ TEST(PipingOpenEnds, of_branches_of_nothing_and_thicker_than_their_run_are_said)
 }
 
 // Whose branch reaches back over the pipe's open end, which lies in it only in part.
+TEST(PipingOpenEnds, pieces_without_length_say_whether_their_neighbours_are_joined) {
+  const auto chain = [](int pieces) {
+    Line line;
+    line.pipe({0, 0, 0}, {500, 0, 0});
+    for (int i = 0; i < pieces; ++i) {
+      line.pipe({500 + .04 * i, 0, 0}, {500 + .04 * (i + 1), 0, 0});
+    }
+    return notes(line.pipe({500 + .04 * pieces, 0, 0}, {900, 0, 0}).made());
+  };
+  EXPECT_EQ(chain(1),
+            "20: c1: has no length beyond the snap tolerance; its neighbours are joined\n");
+  EXPECT_THAT(chain(20), testing::Not(testing::HasSubstr("joined")));
+  EXPECT_THAT(chain(20), testing::HasSubstr("210: c20: has no length beyond the snap tolerance; "
+                                            "nothing is made of it\n"));
+}
+
+TEST(PipingOpenEnds, caps_that_are_solid_have_no_wall_to_take) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).last().wall = 5;
+  line.add(PipingShape::closure, {{500, 0, 0}, {550, 0, 0}});
+  EXPECT_EQ(notes(line.made()), "");
+  line.pipe({-500, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(notes(line.made()),
+            "30: c2: has no wall of its own; those of their neighbours are taken\n");
+}
+
+TEST(PipingOpenEnds, bends_say_where_their_legs_are_too_short_for_their_radius) {
+  Line line;
+  line.bend({0, 0, 0}, {300, 0, 0}, {300, 300, 0}).last().bend_radius = 400;
+  EXPECT_EQ(notes(line.made()),
+            "10: c0: its legs are too short for its bend radius of 400; it has one of 300\n");
+  line.last().bend_radius = 301;
+  EXPECT_EQ(notes(line.made()), "");
+}
+
 // On the wall, or beyond it by less than the snap tolerance, as a pipe that is set on there.
 TEST(PipingOpenEnds, olets_on_a_wall_are_continued_to_the_axis) {
   for (const double height : {40., 49.9, 50., 50.04}) {

@@ -152,8 +152,46 @@ TEST(Pcf, leaves_out_what_is_there_twice) {
       pipe("100") + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 100 0 0 100\n";
   const PcfFile file = parse_pcf(twice);
   EXPECT_EQ(file.line.components.size(), 1);
-  EXPECT_EQ(file.notes.at(0).line, 6);
-  EXPECT_THAT(file.notes.at(0).text, HasSubstr("repeats the one at line 3"));
+  EXPECT_EQ(file.line.notes.at(0).line, 6);
+  EXPECT_EQ(file.line.notes.at(0).text, "pipe-6: repeats the one at line 3; it is left out");
+}
+
+TEST(Pcf, says_what_differs_of_what_is_there_twice) {
+  const PcfFile file =
+      parse_pcf(pipe("100") + "PIPE\n    END-POINT 0 0 0 80\n    END-POINT 100 0 0 80\n" +
+                "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 100 0 0 100\n    WALL-THICKNESS 5\n" +
+                "    OUTSIDE-DIAMETER 110\n");
+  EXPECT_EQ(file.line.components.size(), 1);
+  ASSERT_EQ(file.line.notes.size(), 2);
+  EXPECT_EQ(
+      file.line.notes[0].text,
+      "pipe-6: lies between the same points as the one at line 3, and has another bore; it is "
+      "left out");
+  EXPECT_THAT(file.line.notes[1].text, HasSubstr("has another bore and another wall;"));
+}
+
+TEST(Pcf, refuses_components_that_contradict_themselves) {
+  for (const auto& [one, other] : {std::pair("CENTRE-POINT 300 0 0", "CENTRE-POINT 0 300 0"),
+                                   std::pair("OUTSIDE-DIAMETER 120", "R2_OUTER_DIAM 130"),
+                                   std::pair("WALL-THICKNESS 5", "WALL-THICKNESS 6"),
+                                   std::pair("BEND-RADIUS 300", "BEND-RADIUS 310")}) {
+    const std::string text = pipe("100") + "    " + one + "\n    " + other + "\n";
+    try {
+      (void)parse_pcf(text, "a.pcf");
+      ADD_FAILURE() << other;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::parse_failed);
+      EXPECT_EQ(error.where(), "a.pcf:7");
+      EXPECT_THAT(error.message(), HasSubstr("but line 6 says"));
+    }
+    EXPECT_EQ(parse_pcf(pipe("100") + "    " + one + "\n    " + one + "\n").line.components.size(),
+              1);
+  }
+  EXPECT_EQ(parse_pcf(pipe("100") + "    WALL-THICKNESS 5\n    WALL-THICKNESS 0\n")
+                .line.components.front()
+                .wall,
+            5)
+      << "0 is none";
 }
 
 TEST(Pcf, keeps_steps_without_length_that_follow_each_other) {
@@ -164,14 +202,15 @@ TEST(Pcf, keeps_steps_without_length_that_follow_each_other) {
   const PcfFile file =
       parse_pcf(pipe("100") + step("200", "150") + step("150", "100") + step("150", "200"));
   EXPECT_EQ(file.line.components.size(), 3);
-  EXPECT_THAT(file.notes.at(0).text, HasSubstr("reducer-concentric-12 repeats the one at line 6"));
+  EXPECT_THAT(file.line.notes.at(0).text,
+              HasSubstr("reducer-concentric-12: repeats the one at line 6"));
 }
 
 TEST(Pcf, leaves_out_what_is_there_twice_the_other_way_round) {
   const PcfFile pipes =
       parse_pcf(pipe("100") + "PIPE\n    END-POINT 100 0 0 100\n    END-POINT 0 0 0 100\n");
   EXPECT_EQ(pipes.line.components.size(), 1);
-  EXPECT_THAT(pipes.notes.at(0).text, HasSubstr("pipe-6 repeats the one at line 3"));
+  EXPECT_THAT(pipes.line.notes.at(0).text, HasSubstr("pipe-6: repeats the one at line 3"));
   const std::string tee = "TEE\n    CENTRE-POINT 4 0 0\n    END-POINT 9 0 0 100\n";
   const PcfFile tees =
       parse_pcf(kUnits + tee + "    END-POINT 0 0 0 100\n    BRANCH1-POINT 4 9 0 100\n" + tee +

@@ -49,6 +49,7 @@ struct PipingComponent {
 struct PipingLine {
   std::string source;  ///< the file's name, for messages; may be empty
   std::vector<PipingComponent> components;
+  std::vector<SourceNote> notes = {};  ///< of what was left out when it was read
 };
 
 struct PipingOptions {

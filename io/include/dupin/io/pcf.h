@@ -21,7 +21,7 @@ enum class BoreMeaning {
 /// A piping file as it was read.
 struct PcfFile {
   PipingLine line;
-  std::vector<SourceNote> notes;               ///< what bores were taken for, repeated components
+  std::vector<SourceNote> notes;               ///< what bores were taken for
   std::vector<SourceNote> unknown;             ///< lines that were not understood
   std::map<std::string, std::size_t> kinds;    ///< components by their keyword
   std::map<std::string, std::size_t> skipped;  ///< records that are known not to be solids
