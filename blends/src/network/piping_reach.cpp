@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/decimal.h"
+#include "numbers/angle.h"
 
 namespace dupin::network {
 namespace {
@@ -85,24 +86,53 @@ namespace {
 // Where a run's axis passes, in radii of it, by the point that an olet's branch begins at.
 constexpr double kOnAxis = 0.5;
 
-// Of a bend's leg, how far inside of its corner the middle of its arc may lie: tan 22.5 degrees.
-constexpr double kInCorner = 0.42;
+Vec3 nearest_on_line(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const double squared = way.squaredNorm();
+  const double share = squared > 0 ? std::clamp((point - from).dot(way) / squared, 0.0, 1.0) : 0;
+  return from + share * way;
+}
 
-// Whether the point lies in what is made of the span, or not far from its arc.
-bool is_in(const Vec3& point, const Span& run, double snap) {
-  const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
-  const double length = way.norm(),
-               around = std::max(run.radii[0], run.radii[1]) + snap +
-                        (run.role == SpanRole::bend_leg ? kInCorner * length : 0);
-  const double share =
-      length > 0 ? std::clamp((point - start).dot(way) / (length * length), 0.0, 1.0) : 0;
-  return (point - start - share * way).norm() <= around;
+// The point of a bend's axis that is nearest: of the straight piece of this leg, or of the arc as
+// long as the shorter leg, or as its bend radius asks for.
+Vec3 nearest_on_bend(const PipingLine& line, const Vec3& point, const Span& leg,
+                     const Span& other) {
+  const Vec3& corner = leg.ends[1].point;
+  const Vec3 back = (leg.ends[0].point - corner).normalized(),
+             on = (other.ends[0].point - corner).normalized();
+  const double half = numbers::angle_between(back, on) / 2;
+  double tangent = std::min(leg.length(), other.length());
+  if (const auto& asked = line.components[leg.component].bend_radius) {
+    tangent = std::min(tangent, *asked / std::tan(half));
+  }
+  const Vec3 begin = corner + tangent * back, end = corner + tangent * on;
+  const Vec3 straight = nearest_on_line(point, leg.ends[0].point, begin);
+  const Vec3 middle = corner + tangent / std::cos(half) * (back + on).normalized();
+  const Vec3 axis = (begin - middle).cross(end - middle).normalized();
+  const Vec3 level = point - middle - (point - middle).dot(axis) * axis;
+  if (!(level.norm() > 0) || (begin - middle).cross(level).dot(axis) < 0 ||
+      level.cross(end - middle).dot(axis) < 0) {
+    return straight;
+  }
+  const Vec3 turned = middle + tangent * std::tan(half) * level.normalized();
+  return (turned - point).norm() < (straight - point).norm() ? turned : straight;
+}
+
+// The point of the axis of what is made of the span that is nearest.
+Vec3 nearest_on_axis(const PipingLine& line, const PipingSpans& spans, const Vec3& point,
+                     const Span& run) {
+  return run.role == SpanRole::bend_leg && run.other_leg
+             ? nearest_on_bend(line, point, run, spans.spans[*run.other_leg])
+             : nearest_on_line(point, run.ends[0].point, run.ends[1].point);
 }
 
 // Whether a branch begins where there is nothing that it could branch off.
-bool is_stray(const PipingSpans& spans, const Span& branch, double snap) {
+bool is_stray(const PipingLine& line, const PipingSpans& spans, const Span& branch, double snap) {
+  const Vec3& from = branch.ends[0].point;
   return std::ranges::none_of(spans.spans, [&](const Span& run) {
-    return run.component != branch.component && is_in(branch.ends[0].point, run, snap);
+    return run.component != branch.component &&
+           (nearest_on_axis(line, spans, from, run) - from).norm() <=
+               std::max(run.radii[0], run.radii[1]) + snap;
   });
 }
 
@@ -150,8 +180,8 @@ struct OletRun {
   std::optional<double> further;  ///< to be level with the axis
 };
 
-std::optional<OletRun> run_of_olet(const SpanIndex& index, const PipingSpans& spans,
-                                   const Span& branch, double snap) {
+std::optional<OletRun> run_of_olet(const SpanIndex& index, const PipingLine& line,
+                                   const PipingSpans& spans, const Span& branch, double snap) {
   const Vec3& from = branch.ends[0].point;
   const Vec3 outward = (from - branch.ends[1].point).normalized();
   std::optional<OletRun> in_wall;
@@ -160,14 +190,18 @@ std::optional<OletRun> run_of_olet(const SpanIndex& index, const PipingSpans& sp
     const Span& run = spans.spans[near];
     const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
     const double share = (from - start).dot(way) / way.squaredNorm();
-    if (run.component == branch.component || run.role != SpanRole::straight) {
+    if (run.component == branch.component) {
       continue;
     }
+    const bool is_bend = run.role == SpanRole::bend_leg;
     const double radius = std::min(run.radii[0], run.radii[1]);
-    const double aside = (from - start - share * way).norm() / radius;
-    const auto further = reach(from, outward, run, snap);
+    const Vec3 to_axis = nearest_on_axis(line, spans, from, run) - from;
+    const double aside = (is_bend ? to_axis : Vec3(start + share * way - from)).norm() / radius;
+    const auto further = !is_bend                          ? reach(from, outward, run, snap)
+                         : aside * radius <= radius + snap ? std::optional(to_axis.dot(outward))
+                                                           : std::nullopt;
     if (aside <= kOnAxis) {
-      if (share > 0 && share < 1) {
+      if (!is_bend && share > 0 && share < 1) {
         return OletRun{near, false, further};
       }
     } else if (further && aside < least) {
@@ -182,7 +216,7 @@ std::optional<OletRun> run_of_olet(const SpanIndex& index, const PipingSpans& sp
 void note_in_wall(const PipingComponent& olet, const Span& run, double further, double snap,
                   Span& branch, LineNotes& notes) {
   SpanEnd& end = branch.ends[0];
-  if (end.is_hidden && !is_disc_in(branch, 0, run, snap)) {
+  if (run.role == SpanRole::straight && end.is_hidden && !is_disc_in(branch, 0, run, snap)) {
     end.is_hidden = false;
     notes.add(olet, "its branch begins in " + run.name + " only in part, and sticks out of it");
   } else if (further != 0) {
@@ -204,9 +238,11 @@ void find_olets(const SpanIndex& index, const PipingLine& line, double snap, Pip
       continue;
     }
     Vec3& from = branch.ends[0].point;
-    if (const auto found = run_of_olet(index, spans, branch, snap)) {
+    if (const auto found = run_of_olet(index, line, spans, branch, snap)) {
       const Span& run = spans.spans[found->span];
-      spans.branches.push_back({found->span, i});
+      if (run.role == SpanRole::straight) {
+        spans.branches.push_back({found->span, i});
+      }
       const bool is_moved = found->further && *found->further > -branch.length() / 2;
       if (is_moved) {
         from += *found->further * (from - branch.ends[1].point).normalized();
@@ -215,7 +251,7 @@ void find_olets(const SpanIndex& index, const PipingLine& line, double snap, Pip
       if (found->is_in_wall) {
         note_in_wall(component, run, is_moved ? *found->further : 0, snap, branch, notes);
       }
-    } else if (is_stray(spans, branch, snap)) {
+    } else if (is_stray(line, spans, branch, snap)) {
       notes.add(component,
                 "its centre lies in no other component; its branch begins there, joined to "
                 "nothing");

@@ -190,6 +190,23 @@ TEST(PipingOpenEnds, bends_say_where_their_legs_are_too_short_for_their_radius) 
   EXPECT_EQ(notes(line.made()), "");
 }
 
+// 150 (sqrt(2) - 1) inside of the corner is the middle of the arc; 50 further out is its wall.
+TEST(PipingOpenEnds, olets_on_the_wall_of_a_bend_are_continued_to_its_axis) {
+  const Vec3 out = Vec3(1, -1, 0).normalized(), corner(150, 0, 0);
+  const Vec3 middle = corner - 150 * (std::sqrt(2.) - 1) * out;
+  for (const double height : {40., 50., 50.04, 50.06}) {
+    Line line;
+    line.bend({0, 0, 0}, corner, {150, 150, 0}).add(PipingShape::fitting, {middle + 130 * out}, 15);
+    line.last().center = middle + height * out;
+    const PipingNetwork network = line.made();
+    const bool is_in = height < 50.05;
+    EXPECT_EQ(network.open_ends, is_in ? 3 : 4) << height;
+    EXPECT_THAT(notes(network), testing::HasSubstr(is_in ? "its branch is continued by"
+                                                         : "lies in no other component"));
+    (void)solid(network, is_in ? 1 : 2);
+  }
+}
+
 // On the wall, or beyond it by less than the snap tolerance, as a pipe that is set on there.
 TEST(PipingOpenEnds, olets_on_a_wall_are_continued_to_the_axis) {
   for (const double height : {40., 49.9, 50., 50.04}) {
