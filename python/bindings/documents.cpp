@@ -89,7 +89,7 @@ std::string gaps(const std::string& text, const std::string& source,
   return unlocked([&] {
     return to_json(document_kind(source) == DocumentKind::piping
                        ? piping_gap_summary(text, source, BoreMeaning::automatic, connect)
-                       : gap_summary(assembly_of_text(text, source), connect));
+                       : gap_summary(document_named(text, source), connect));
   });
 }
 
