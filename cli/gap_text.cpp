@@ -15,6 +15,11 @@ std::size_t count(const GapSummary& summary, GapVerdict verdict) {
                     [verdict](const GapPair& pair) { return pair.report.verdict == verdict; }));
 }
 
+/// Neither welded nor open.
+bool is_gap(const GapPair& pair) {
+  return pair.report.verdict != GapVerdict::welded && pair.report.verdict != GapVerdict::open;
+}
+
 bool is_length(Deviation::Kind kind) {
   return kind == Deviation::Kind::axial || kind == Deviation::Kind::radius ||
          kind == Deviation::Kind::across || kind == Deviation::Kind::offset;
@@ -49,16 +54,12 @@ void print_loops(std::ostream& out, const std::string& file,
 void print_gaps(std::ostream& out, const GapSummary& summary) {
   print_row(out, "welded", std::to_string(count(summary, GapVerdict::welded)));
   print_row(out, "open", std::to_string(count(summary, GapVerdict::open)));
-  print_row(
-      out, "gaps", std::to_string(std::ranges::count_if(summary.pairs, [](const GapPair& pair) {
-        return pair.report.verdict != GapVerdict::welded && pair.report.verdict != GapVerdict::open;
-      })));
+  print_row(out, "gaps", std::to_string(std::ranges::count_if(summary.pairs, is_gap)));
   for (const GapPair& pair : summary.pairs) {
-    const GapVerdict verdict = pair.report.verdict;
-    if (verdict == GapVerdict::welded || verdict == GapVerdict::open) {
+    if (!is_gap(pair)) {
       continue;
     }
-    out << "  " << name(verdict) << ": " << summary.ports.at(pair.first).name << " to "
+    out << "  " << name(pair.report.verdict) << ": " << summary.ports.at(pair.first).name << " to "
         << summary.ports.at(pair.second.value()).name;
     std::string_view separator = ": ";
     for (const Deviation& deviation : pair.report.deviations) {

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "assembly/fillet_part.h"
-#include "assembly/line_and_arc.h"
 #include "assembly/narrowed_shape.h"
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_kind.h"
 #include "canal/fillet_wall.h"
 #include "dupin/blends/cyclide_form.h"

@@ -106,7 +106,7 @@ Vec3 nearest_on_bend(const PipingLine& line, const Vec3& point, const Span& leg,
     tangent = std::min(tangent, *asked / std::tan(half));
   }
   const Vec3 begin = corner + tangent * back, end = corner + tangent * on;
-  const Vec3 straight = nearest_on_line(point, leg.ends[0].point, begin);
+  Vec3 straight = nearest_on_line(point, leg.ends[0].point, begin);
   const Vec3 middle = corner + tangent / std::cos(half) * (back + on).normalized();
   const Vec3 axis = (begin - middle).cross(end - middle).normalized();
   const Vec3 level = point - middle - (point - middle).dot(axis) * axis;

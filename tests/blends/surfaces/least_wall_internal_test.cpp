@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "surfaces/least_wall.h"

@@ -2,7 +2,7 @@
 #include <numbers>
 #include <string>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "assembly/parts/start_ring.h"

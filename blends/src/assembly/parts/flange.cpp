@@ -1,4 +1,4 @@
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "assembly/parts/straight_run.h"

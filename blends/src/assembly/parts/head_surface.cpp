@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

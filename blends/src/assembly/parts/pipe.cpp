@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "assembly/parts/start_ring.h"

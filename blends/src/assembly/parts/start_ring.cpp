@@ -1,6 +1,6 @@
 #include "assembly/parts/start_ring.h"
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 
 namespace dupin::assembly {

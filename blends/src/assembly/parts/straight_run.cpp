@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/part_checks.h"
 #include "dupin/kernel/decimal.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "assembly/parts/straight_run.h"
 #include "blends/assembly/part_fixture_internal.h"
 

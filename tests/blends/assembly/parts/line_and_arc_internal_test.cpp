@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 #include "dupin/blends/elliptic_tube.h"
 #include "support/single_piece.h"
 

@@ -1,4 +1,4 @@
-#include "assembly/line_and_arc.h"
+#include "assembly/parts/line_and_arc.h"
 
 #include <cmath>
 #include <numbers>
