@@ -7,10 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -169,21 +165,11 @@ int run(std::span<char*> arguments) {
   return perform(action, *app.get_subcommands().front(), common);
 }
 
-/// glibc keeps arrays up to 32 MB for itself once some were freed; between the stages of a union
-/// that is a quarter of all memory. From 1 MB on they go back to the system, for a few hundredths
-/// of the time.
-void give_large_arrays_back() {
-#ifdef M_MMAP_THRESHOLD
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
-}
-
 }  // namespace
 }  // namespace dupin::cli
 
 int main(int argc, char** argv) {
   try {
-    dupin::cli::give_large_arrays_back();
     std::ios::sync_with_stdio(false);
     dupin::cli::end_on_signals();
     return dupin::cli::run({argv, static_cast<std::size_t>(argc)});

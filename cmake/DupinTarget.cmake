@@ -127,11 +127,11 @@ function(dupin_fuzzer name)
 endfunction()
 
 # dupin_bench(NAME SOURCES a.cpp ... LIBRARIES lib ...)
-# One executable per question; it compares its result with a reference before timing it.
+# One executable per question; it compares its result with a reference before timing it. Rivals have the same allocator.
 function(dupin_bench name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   dupin_target(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
-  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} benchmark::benchmark)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} benchmark::benchmark dupin_allocator)
 endfunction()

@@ -87,6 +87,7 @@ LIBRARIES = {
     "cairo": ["io/src/drawings/"],
     "CLI/": ["cli/"],
     "mpi.h": ["cli/mpi/"],
+    "jemalloc/": ["cli/allocator/"],
     # OpenCASCADE's headers have no folder of their own.
     **{name: ["io/src/occt/", "tests/io/occt/"] for name in (
         "APIHeaderSection", "BOPAlgo", "BRep", "Bnd_", "GProp", "Geom", "IGES", "Interface_", "Message", "NCollection",

@@ -149,6 +149,14 @@ TEST_F(Usage, version_is_one_line) {
   EXPECT_THAT(result.out, StartsWith("dupin 0."));
 }
 
+TEST_F(Usage, memory_is_of_huge_pages) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitiser has an allocator of its own";
+#endif
+  const ProcessResult result = shell("MALLOC_CONF=stats_print:true dupin --version");
+  EXPECT_THAT(result.err, HasSubstr("opt.thp: \"always\""));
+}
+
 TEST_F(Usage, common_options_stand_before_or_after_the_command) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   const std::string before = dupin({"--json", "check", "a.off"}).out;

@@ -10,7 +10,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The least that each package depends on: what its files cannot do without.
 NEEDS = {
-    "dupin": {"libc6", "libgmp10", "libmpfr6", "libtbb12", "libexpat1"},
+    "dupin": {"libc6", "libgmp10", "libmpfr6", "libtbb12", "libexpat1", "libjemalloc2"},
     "libdupin-dev": {"libeigen3-dev", "libgmp-dev", "libmpfr-dev", "libmpfi-dev", "libtbb-dev", "libexpat1-dev",
                      "libzip-dev", "libcairo2-dev"},
     "dupin-exchange": {"libc6", "libocct-data-exchange-7.6"},
