@@ -412,6 +412,9 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
   add_wall_options(command, arguments.walls);
   add_region_option(command, arguments.region, true);
   add_triangles_option(command, arguments.most_triangles);
+  command.get_option("--triangles")->each([&arguments](const std::string& /*number*/) {
+    arguments.are_triangles_limited = true;
+  });
   add_connect_option(command, arguments.connect);
   add_source_options(command, arguments.source);
   add_contacts_option(command, arguments.contacts);

@@ -31,6 +31,7 @@ struct BuildArguments {
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
+  bool are_triangles_limited = false;  ///< by --triangles, which in tiles, too, is of all of them
   SourceArguments source;
   RoundingArguments rounding;
   TileArguments tiles;

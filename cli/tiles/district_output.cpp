@@ -92,8 +92,9 @@ OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxe
 namespace {
 
 DistrictOutput whole_output(const Solid& solid, std::span<const Boxes> boxes, std::size_t district,
-                            const Destination& to, const RoundingOptions& rounding,
-                            const ContactChoice& contacts, std::span<const Seam> seams) {
+                            const DistrictPlaces& places, const Destination& to,
+                            const RoundingOptions& rounding, const ContactChoice& contacts,
+                            std::span<const Seam> seams) {
   DistrictOutput result;
   const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, result.report);
   if (boxes.size() > 1 && !lies_in(rounded, boxes[district])) {
@@ -103,6 +104,7 @@ DistrictOutput whole_output(const Solid& solid, std::span<const Boxes> boxes, st
   }
   OpenPiece open;
   open.report = check(rounded);
+  result.voids = voids_of(rounded, open.report, district, places);
   if (!seams.empty()) {
     open = opened(rounded.mesh(), rounded.report().origin, std::move(open.report), seams);
   }
@@ -126,11 +128,11 @@ DistrictOutput whole_output(const Solid& solid, std::span<const Boxes> boxes, st
 }  // namespace
 
 DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
-                               std::size_t district, const Destination& to,
-                               const RoundingOptions& rounding, const ContactChoice& contacts,
-                               std::span<const Seam> seams) {
+                               std::size_t district, const DistrictPlaces& places,
+                               const Destination& to, const RoundingOptions& rounding,
+                               const ContactChoice& contacts, std::span<const Seam> seams) {
   try {
-    return whole_output(solid, boxes, district, to, rounding, contacts, seams);
+    return whole_output(solid, boxes, district, places, to, rounding, contacts, seams);
   } catch (const Error& error) {
     if (seams.empty() || (error.code() != Errc::unroundable && error.code() != Errc::internal)) {
       throw;
@@ -146,8 +148,11 @@ DistrictOutput unfit_output(std::size_t seams) {
   return result;
 }
 
-DistrictFile::DistrictFile(const Destination& to, const Processes* processes)
-    : to_(to), stream_(writing([&] { return mesh_stream(to.path, to.format, processes); })) {
+DistrictFile::DistrictFile(const Destination& to, std::vector<Vec3> places,
+                           const Processes* processes)
+    : to_(to),
+      places_(std::move(places)),
+      stream_(writing([&] { return mesh_stream(to.path, to.format, processes); })) {
   report_.check.emplace();
 }
 
@@ -155,6 +160,8 @@ void DistrictFile::append(DistrictOutput district, std::size_t file) {
   writing([&] { stream_->append(district.piece, file); });
   seen_.insert(district.seen.begin(), district.seen.end());
   OutputReport& own = district.report;
+  shells_before_.push_back(report_.check->shells.size());
+  depths_.add(district.voids);
   add(*own.check, *report_.check);
   add(own.rounding, report_.rounding);
   std::ranges::move(own.contacts, std::back_inserter(report_.contacts));
@@ -172,6 +179,17 @@ void DistrictFile::require_something(const RoundingOptions& rounding) const {
   require_something_left(report_, report_.check->triangles);
 }
 
+void DistrictFile::deepen_shells() {
+  std::vector<ShellReport>& shells = report_.check->shells;
+  shells_before_.push_back(shells.size());
+  for (std::size_t i = 0; i < places_.size() && i + 1 < shells_before_.size(); ++i) {
+    const int depth = depths_.at(places_[i]);
+    for (std::size_t k = shells_before_[i]; k < shells_before_[i + 1]; ++k) {
+      shells[k].depth += depth;
+    }
+  }
+}
+
 OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
   const Vec3& origin = report_.rounding.origin;
   note_origin(origin, header);
@@ -186,6 +204,7 @@ OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
     };
   }
   writing([&] { stream_->commit(header, of_piece); });
+  deepen_shells();
   report_.file = to_.path;
   report_.format = to_.format.name;
   report_.verification = to_.verification;

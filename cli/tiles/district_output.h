@@ -12,6 +12,7 @@
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/districts.h"
 #include "output.h"
+#include "tiles/district_voids.h"
 
 namespace dupin::cli {
 
@@ -43,14 +44,15 @@ struct DistrictOutput {
   MeshPiece piece;
   std::vector<std::string> seen;  ///< the names of the labels that the solid has, before rounding
   std::vector<SeamSide> sides;    ///< what it has at each of its seams
+  std::vector<DistrictVoid> voids;
 };
 
 /// `rounding` is for districts. At its seams it is left open; one that cannot be rounded with its
 /// ends, or leaves its boxes, has none there. Throws Error{internal} where a solid without seams
 /// does not lie in its boxes; one that is alone need not.
 [[nodiscard]] DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
-                                             std::size_t district, const Destination& to,
-                                             const RoundingOptions& rounding,
+                                             std::size_t district, const DistrictPlaces& places,
+                                             const Destination& to, const RoundingOptions& rounding,
                                              const ContactChoice& contacts,
                                              std::span<const Seam> seams = {});
 
@@ -62,7 +64,9 @@ struct DistrictOutput {
 /// same calls.
 class DistrictFile {
  public:
-  explicit DistrictFile(const Destination& to, const Processes* processes = nullptr);
+  /// `places` are those of the districts, in the order in which they come.
+  explicit DistrictFile(const Destination& to, std::vector<Vec3> places = {},
+                        const Processes* processes = nullptr);
   /// `file` is MeshStream's.
   void append(DistrictOutput district, std::size_t file = 0);
   /// In another thread, while nothing else is called: commit() waits for less then.
@@ -77,7 +81,12 @@ class DistrictFile {
   [[nodiscard]] const std::set<std::string>& seen() const { return seen_; }
 
  private:
+  void deepen_shells();
+
   Destination to_;
+  std::vector<Vec3> places_;
+  DistrictDepths depths_;
+  std::vector<std::size_t> shells_before_;  // each district, in the report
   std::unique_ptr<MeshStream> stream_;
   OutputReport report_;
   std::set<std::string> seen_;

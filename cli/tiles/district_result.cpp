@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 17\n";
+constexpr std::string_view kMark = "dupin district 18\n";
 
 /// Numbers one after the other: a structure may have bytes between them, which may be any.
 template <class Item>
@@ -64,6 +64,9 @@ class Writer {
   }
   void put(const SeamSide& side) {
     (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
+  }
+  void put(const DistrictVoid& own) {
+    (*this)(own.box.min(), own.box.max(), own.places, own.is_within);
   }
   void put(const MeshBorder& border) {
     (*this)(border.name, border.points, border.corners, border.labels);
@@ -139,6 +142,7 @@ class Reader {
   void get(SeamSide& side) {
     (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
   }
+  void get(DistrictVoid& own) { (*this)(own.box.min(), own.box.max(), own.places, own.is_within); }
   void get(MeshBorder& border) {
     (*this)(border.name, border.points, border.corners, border.labels);
   }
@@ -184,7 +188,7 @@ void visit_result(Archive& archive, Result& result, Parts& parts, Checked& repor
           built.insulation, report, result.output.report.rounding, result.output.report.contacts,
           result.output.report.settled, result.output.piece.names, result.output.piece.points,
           result.output.piece.triangles, result.output.piece.labels, result.output.piece.borders,
-          result.output.seen, result.output.sides);
+          result.output.seen, result.output.sides, result.output.voids);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }

@@ -41,6 +41,8 @@ std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
                     const RoundingOptions& rounding) {
   std::string text = "dupin " DUPIN_VERSION " " + build_identity();
   const auto add = [&text](double number) { text += " " + decimal(number); };
+  // Less than usual is looked at before there are districts.
+  add(static_cast<double>(std::max(options.most_triangles, kUsualTriangles)));
   add(options.region ? static_cast<double>(*options.region) : -1);
   add(static_cast<double>(options.contacts));
   add(static_cast<double>(contacts.kind));
@@ -87,6 +89,7 @@ class TiledBuild {
         region_(options.region),
         plan_(document.assembly, options),
         boxes_(plan_.boxes()),
+        places_(boxes_),
         seams_(plan_.seams()),
         to_(tiled_destination(arguments.output)),
         contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
@@ -99,6 +102,8 @@ class TiledBuild {
     rounding_ = rounding_of_districts(rounding_, boxes_);
     options_text_ = std::string(to_.format.key) + " " + text_of(options, contacts_, rounding_);
   }
+
+  void refuse_too_costly() const { plan_.refuse_too_costly(); }
 
   // All ranks do this, and what follows, and come to the same.
   void divide(const TileArguments& arguments) {
@@ -123,7 +128,7 @@ class TiledBuild {
 
   // Nothing where pieces do not fit, which misfits() tells.
   std::optional<TiledBuilt> run(const MeshHeader& header) {
-    DistrictFile file(to_, &ranks_);
+    DistrictFile file(to_, places_.by_district(), &ranks_);
     std::vector<Built> built;
     std::size_t begin = 0, tiles = 0, shells = 0;
     for (const std::size_t end : ends_) {
@@ -204,10 +209,12 @@ class TiledBuild {
     const std::string key = sha256(text);
     const std::vector<std::uint32_t> parts = plan_.parts(district);
     if (auto bytes = cache_->find(key)) {
-      if (auto kept = result_of(*std::move(bytes), parts)) {
+      auto kept = result_of(*std::move(bytes), parts);
+      if (!kept) {
+        cache_->distrust(key, "is damaged");
+      } else if (are_known(kept->output.voids, district, places_)) {
         return *std::move(kept);
       }
-      cache_->distrust(key, "is damaged");
     }
     DistrictResult result = made(district);
     cache_->keep(key, bytes_of(result, parts));
@@ -227,8 +234,8 @@ class TiledBuild {
   [[nodiscard]] DistrictResult made(std::size_t district) const {
     DistrictResult result;
     result.built = plan_.build(district);
-    result.output = district_output(result.built.solid, boxes_, district, to_, rounding_, contacts_,
-                                    seams_.of(district));
+    result.output = district_output(result.built.solid, boxes_, district, places_, to_, rounding_,
+                                    contacts_, seams_.of(district));
     result.built.solid = Solid();
     return result;
   }
@@ -238,6 +245,7 @@ class TiledBuild {
   std::optional<Region> region_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
+  DistrictPlaces places_;
   SeamCheck seams_;
   Destination to_;
   ContactChoice contacts_;
@@ -312,8 +320,12 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
   TiledBuilt result = until_pieces_fit(options.most_of_piece, [&](double most_of_piece) {
     own.most_of_piece = most_of_piece;
     const auto build = alike(ranks, [&] {
-      return std::make_unique<TiledBuild>(document, own, arguments, cache ? &*cache : nullptr,
-                                          ranks);
+      auto made =
+          std::make_unique<TiledBuild>(document, own, arguments, cache ? &*cache : nullptr, ranks);
+      if (arguments.are_triangles_limited) {
+        made->refuse_too_costly();
+      }
+      return made;
     });
     build->divide(arguments.tiles);
     auto built = build->run(header);

@@ -126,6 +126,7 @@ class UnionInTiles {
         files_(files),
         ranks_(ranks),
         districts_(pieces_of(task, files, most_of_piece, uncut)),
+        places_(districts_.boxes),
         seams_(districts_.seams),
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
         repairs_(task.files.size()),
@@ -148,7 +149,7 @@ class UnionInTiles {
 
   // Nothing where pieces do not fit: at cuts of misfits().
   std::optional<OutputReport> run() {
-    DistrictFile file(task_.to, &ranks_);
+    DistrictFile file(task_.to, places_.by_district(), &ranks_);
     std::size_t begin = 0, shells = 0;
     for (const std::size_t end : ends_) {
       tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
@@ -226,7 +227,7 @@ class UnionInTiles {
     const Solid solid = united(operands, district);
     operands.clear();
     DistrictResult result;
-    result.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
+    result.output = district_output(solid, districts_.boxes, district, places_, task_.to, rounding_,
                                     task_.contacts, seams);
     return result;
   }
@@ -302,6 +303,7 @@ class UnionInTiles {
   const OperandFiles& files_;
   const Ranks& ranks_;
   OperandPieces districts_;
+  DistrictPlaces places_;
   SeamCheck seams_;
   RoundingOptions rounding_;
   std::vector<RepairReport> repairs_;  // per operand

@@ -483,8 +483,9 @@ void join_shells(std::span<const SeamShells> seams, Report& report) {
   for (const auto& [material, own] : joined.of_material) {
     const std::uint32_t around =
         *std::ranges::max_element(own, {}, [&](std::uint32_t i) { return shells[i].volume; });
+    const int outside = shells[around].depth / 2 * 2;  // of shells that others are around
     for (const std::uint32_t i : own) {
-      shells[i].depth = i == around ? 0 : 1;
+      shells[i].depth = outside + (i == around ? 0 : 1);
     }
   }
   std::vector<ShellReport> left;

@@ -65,9 +65,11 @@ TEST(DistrictOutput, file_says_what_all_its_districts_are) {
   const std::vector<Boxes> boxes{{{Vec3(-1, -1, -1), Vec3(2, 2, 2)}},
                                  {{Vec3(4, -1, -1), Vec3(7, 2, 2)}}};
   const Destination to{path, kStlBinary};
-  DistrictFile file(to);
+  const DistrictPlaces places(boxes);
+  DistrictFile file(to, places.by_district());
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    file.append(district_output(solids[i], boxes, i, to, rounding_of_districts({}, boxes), {}));
+    file.append(
+        district_output(solids[i], boxes, i, places, to, rounding_of_districts({}, boxes), {}));
   }
   const OutputReport report = file.commit({"mm", {}});
   EXPECT_EQ(report.file, path);
@@ -98,7 +100,8 @@ TEST(DistrictOutput, file_of_which_rounding_leaves_nothing_is_not_written) {
   EXPECT_EQ(code([&] {
               DistrictFile file(to);
               for (std::size_t i = 0; i < specks.size(); ++i) {
-                file.append(district_output(specks[i], boxes, i, to, rounding, {}));
+                file.append(
+                    district_output(specks[i], boxes, i, DistrictPlaces(boxes), to, rounding, {}));
               }
               file.require_something(rounding);
             }),

@@ -315,6 +315,23 @@ TEST_F(TiledBuild, refuses_what_does_not_fit_into_memory) {
   EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
 }
 
+// What a document may cost together was asked of each district only, and of none that was kept.
+TEST_F(TiledBuild, refuses_more_triangles_than_are_allowed_of_all) {
+  folder_.write("plant.json", plant(20));
+  const std::string refusal =
+      dupin({"build", "plant.json", "-o", "out.stl", "--triangles", "900"}).err;
+  EXPECT_THAT(refusal, HasSubstr("the limit is 900"));
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "out.stl", "--cache", "kept"}).exit_code, 0);
+  for (const std::vector<std::string>& tiles :
+       {std::vector<std::string>{"--tiles", "3"}, {"--memory", "1GB"}, {"--cache", "kept"}}) {
+    const ProcessResult result =
+        dupin({"build", "plant.json", "-o", "none.stl", "--triangles", "900", tiles[0], tiles[1]});
+    EXPECT_EQ(result.exit_code, 3) << tiles[0];
+    EXPECT_EQ(result.err, refusal) << tiles[0];
+  }
+  EXPECT_THAT(folder_.files(), testing::Not(testing::Contains("none.stl")));
+}
+
 TEST_F(TiledBuild, leaves_no_file_where_a_district_is_refused) {
   folder_.write("plant.json", plant(3));
   const ProcessResult result =

@@ -264,6 +264,15 @@ TEST(Seams, join_what_encloses_a_void) {
   EXPECT_DOUBLE_EQ(all.shells[0].volume, 3);
   EXPECT_DOUBLE_EQ(all.shells[1].volume, -2.5 / 4);
   EXPECT_DOUBLE_EQ(all.volume, 3 - 2.5 / 4);
+  // In a void of what is no piece.
+  Report deeper = one.report;
+  append(other.report, deeper);
+  for (ShellReport& shell : deeper.shells) {
+    shell.depth += 2;
+  }
+  join_shells(seams, deeper);
+  EXPECT_EQ(deeper.shells.at(0).depth, 2);
+  EXPECT_EQ(deeper.shells.at(1).depth, 3);
   seams[0].has_others = true;
   EXPECT_EQ(doubtful(seams), std::vector<std::size_t>{0});
 }
