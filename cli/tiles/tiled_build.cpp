@@ -74,7 +74,7 @@ void append_meshes(const Assembly& assembly, std::string& text) {
 
 /// What a triangle of the result needs, measured (docs/cli.md): of one solid, and where one is
 /// taken from another.
-constexpr double kBytesPerTriangle = 300, kBytesPerTriangleOfTwo = 900;
+constexpr double kBytesPerTriangle = 360, kBytesPerTriangleOfTwo = 1100;
 
 std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");

@@ -102,9 +102,26 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
   require(!claims.mesh || mesh_follows(solid, *claims.mesh, is_hub), name, "mesh");
 }
 
+// In rings that are the same, bitwise.
+bool are_joined(const Solid& first, End own, const Solid& second, End other) {
+  return first.ball() == nullptr && second.ball() == nullptr && !first.closed() &&
+         !second.closed() && are_flips(end_ring(first, own), end_ring(second, other));
+}
+
+// Also where no clearance says anything of the two.
+void verify_joined(const std::vector<Solid>& solids, const std::vector<CertifiedPart>& parts) {
+  verify_each(parts.size(), [&](std::size_t i) {
+    for (const End end : {End::start, End::end}) {
+      const auto& other = parts[i].joined.at(at(end));
+      require(!other || solids[i].length() == 0 || solids[other->part].length() == 0 ||
+                  are_joined(solids[i], end, solids[other->part], other->end),
+              parts[i].name, "joined");
+    }
+  });
+}
+
 }  // namespace
 
-// In rings that are the same, bitwise.
 std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                                const std::vector<CertifiedPart>& parts, std::uint32_t first,
                                std::uint32_t second, double tolerance) {
@@ -116,11 +133,6 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
       if (solids[first].length() == 0 || solids[second].length() == 0) {
         continue;  // nothing can be claimed
       }
-      require(solids[first].ball() == nullptr && solids[second].ball() == nullptr &&
-                  !solids[first].closed() && !solids[second].closed() &&
-                  are_flips(end_ring(solids[first], joint.first),
-                            end_ring(solids[second], joint.second)),
-              parts[first].name, "joined");
       joint.have_rims_apart = have_rims_apart(solids[first].rim(joint.first),
                                               solids[second].rim(joint.second), tolerance);
       result.push_back(joint);
@@ -430,6 +442,7 @@ void verify(const Certificate& certificate) {
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
   const auto hubs = verification::hubs_of(certificate);
   const auto solids = verification::verify_parts(certificate, hubs);
+  verification::verify_joined(solids, parts);
   const auto hub_pairs = verification::verify_junctions(solids, certificate);
   const auto fillets = verification::verify_fillets(solids, certificate);
   if (certificate.apart == 0) {

@@ -268,6 +268,12 @@ INSTANTIATE_TEST_SUITE_P(
             [](Certificate& c) { c.parts[0].joined[1].reset(); }},
         Lie{"joined_at_another_end", "a", "joined",
             [](Certificate& c) { c.parts[1].joined[0]->end = End::start; }},
+        Lie{"joined_to_what_is_elsewhere", "a", "joined",
+            [](Certificate& c) {
+              c.parts[1].shape = pipe({4, 100, 0}, {8, 100, 0});
+              c.apart = 1;
+              c.clearances.clear();
+            }},
         Lie{"negative_tolerance", "", "tolerance", [](Certificate& c) { c.tolerance = -1; }},
         Lie{"document_of_two_lines", "", "document", [](Certificate& c) { c.document = "\n"; }},
         Lie{"margin_of_a_ball", "ball", "regular",
