@@ -342,17 +342,27 @@ class Finder {
     }
   }
 
-  /// How much the polyline turns at its point i, seen from some way off.
+  /// How much the polyline turns at its point i, seen from some way off along it: where it goes
+  /// back at a sharp angle, what is near in space, from inside the angle, is not what turns.
   [[nodiscard]] double turn(const std::vector<std::uint32_t>& points, std::size_t i) const {
     const Vec3& here = mesh_.points[points[i]];
-    std::size_t back = i - 1, ahead = i + 1;
-    while (back > 0 && (mesh_.points[points[back]] - here).norm() < length_) {
-      --back;
+    return angle_between(here - off(points, i, -1), off(points, i, 1) - here);
+  }
+  /// The place some way off, or the polyline's end.
+  [[nodiscard]] Vec3 off(const std::vector<std::uint32_t>& points, std::size_t i, int step) const {
+    double left = length_;
+    for (;;) {
+      const Vec3 &from = mesh_.points[points[i]], &to = mesh_.points[points[i + step]];
+      const double edge = (to - from).norm();
+      i += step;
+      if (edge >= left) {
+        return from + left / edge * (to - from);
+      }
+      if (i == 0 || i + 1 == points.size()) {
+        return to;
+      }
+      left -= edge;
     }
-    while (ahead + 1 < points.size() && (mesh_.points[points[ahead]] - here).norm() < length_) {
-      ++ahead;
-    }
-    return angle_between(here - mesh_.points[points[back]], mesh_.points[points[ahead]] - here);
   }
 
   /// Makes curves of a chain, which ends where it turns sharply, and begins anew.
@@ -435,16 +445,17 @@ class Finder {
 
   [[nodiscard]] bool is_sharpest(const std::vector<std::uint32_t>& points,
                                  const std::vector<double>& turns, std::size_t i) const {
-    const Vec3& here = mesh_.points[points[i]];
-    const auto near = [&](std::size_t k) {
-      return (mesh_.points[points[k]] - here).norm() < length_;
+    const auto edge = [&](std::size_t k) {
+      return (mesh_.points[points[k]] - mesh_.points[points[k - 1]]).norm();
     };
-    for (std::size_t k = i; k-- > 0 && near(k);) {
-      if (turns[k] >= turns[i]) {
+    double way = 0;
+    for (std::size_t k = i; k > 0 && (way += edge(k)) < length_;) {
+      if (turns[--k] >= turns[i]) {
         return false;
       }
     }
-    for (std::size_t k = i + 1; k < points.size() && near(k); ++k) {
+    way = 0;
+    for (std::size_t k = i + 1; k < points.size() && (way += edge(k)) < length_; ++k) {
       if (turns[k] > turns[i]) {
         return false;
       }

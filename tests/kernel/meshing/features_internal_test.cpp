@@ -12,6 +12,34 @@ namespace {
 using dupin::test::box;
 using dupin::test::tube;
 
+/// A box with a wedge on top that has a label of its own. Its tip is point 11; points 10 and 12 are
+/// near it, one on each side.
+TriMesh box_with_wedge() {
+  TriMesh mesh;
+  for (const double z : {-1.0, 0.0}) {
+    for (const Vec3& corner : {Vec3(-3, -3, z), Vec3(3, -3, z), Vec3(3, 3, z), Vec3(-3, 3, z)}) {
+      mesh.points.push_back(corner);
+    }
+  }
+  for (const Vec3& point : {Vec3(1.5, -0.6, 0), Vec3(1.5, 0.1, 0), Vec3(-1.4, 0.35, 0),
+                            Vec3(-2, 0, 0), Vec3(-1.6, -0.07, 0)}) {
+    mesh.points.push_back(point);
+  }
+  mesh.triangles = {{11, 12, 10}, {12, 8, 9}, {12, 9, 10},  // the wedge
+                    {4, 5, 12},   {5, 8, 12}, {5, 6, 8},   {6, 9, 8},   {6, 7, 9},
+                    {7, 11, 10},  {7, 10, 9}, {7, 4, 11},  {4, 12, 11},  // around it
+                    {0, 2, 1},    {0, 3, 2}};
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t next = (k + 1) % 4;
+    mesh.triangles.push_back({k, next, next + 4});
+    mesh.triangles.push_back({k, next + 4, k + 4});
+  }
+  mesh.labels.assign(mesh.triangles.size(), 0);
+  std::fill_n(mesh.labels.begin(), 3, 1);
+  mesh.names = {"box", "wedge"};
+  return mesh;
+}
+
 TEST(Features, of_a_box_are_its_edges) {
   const Features features = find_features(box(Vec3::Zero(), Vec3(1, 2, 3)), 0.7, 0.01, 0);
   EXPECT_EQ(features.curves.size(), 12U);
@@ -39,6 +67,16 @@ TEST(Features, are_creases_that_would_need_tiny_triangles) {
   EXPECT_EQ(find_features(prism, 0.7, 0.01, 1).curves.size(), 30U);
   EXPECT_EQ(find_features(prism, 0.7, 0.02, 1).curves.size(), 2U);
   EXPECT_EQ(find_features(prism, 0.7, 0.01, 0.1).curves.size(), 2U) << "these are smaller anyway";
+}
+
+TEST(Features, end_where_a_border_goes_back_at_a_sharp_angle) {
+  // Across the wedge, its sides are nearer to each other than the distance: from there the border
+  // seems to turn by more than at the tip.
+  const TriMesh mesh = box_with_wedge();
+  const Features features = find_features(mesh, 0.7, 0.3, 2);
+  EXPECT_TRUE(std::ranges::any_of(features.curves, [&](const Curve& curve) {
+    return curve.points.front() == mesh.points[11] || curve.points.back() == mesh.points[11];
+  }));
 }
 
 TEST(Features, are_borders_between_labels_too) {
