@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
+#include <optional>
 
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
@@ -20,16 +22,6 @@ constexpr std::string_view kNothingWritten = "; no STEP file was written. ";
 // Runs and parts alone are those of the outer surface, without fillets.
 bool can_be_alone(const Model& model) {
   return model.operation == Operation::none && model.whole.fillets.empty();
-}
-
-// What else there is.
-std::string_view advice(const Model& model) {
-  if (!model.is_united) {
-    return "--solids united may do, and every mesh format has the union";
-  }
-  return can_be_alone(model) ? "--solids runs writes what shares rings each by itself, and every "
-                               "mesh format has the union"
-                             : "Every mesh format has the union";
 }
 
 std::string model_name(const Assembly& assembly) {
@@ -69,27 +61,24 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
   if (!model.is_united && !can_be_alone(model)) {
     throw Error(Errc::boolean_failed,
                 "solids of runs or parts alone are written of the outer region of assemblies "
-                "without fillets; --solids united may do, and every mesh format has the union");
+                "without fillets");
   }
   return made;
 }
 
 // What a failure is about, if it names a part.
-Error refusal(const Assembly& assembly, const Written& written, const Model& model) {
+Error refusal(const Assembly& assembly, const Written& written) {
   const auto part = std::ranges::find(assembly.parts, written.at, &Part::name);
   const std::string place =
       part == assembly.parts.end()
           ? std::string()
           : document_place(assembly, std::uint32_t(part - assembly.parts.begin()));
-  return Error(Errc::boolean_failed,
-               written.fault + std::string(kNothingWritten) + std::string(advice(model)),
-               written.at, place);
+  return Error(Errc::boolean_failed, written.fault, written.at, place);
 }
 
 // The mesh and the file both keep to the smooth surface, so that what lies between them is no
 // thicker than both distances, over the larger of both areas.
-void compare(const Assembly& assembly, const Built& built, const Model& model,
-             ExchangeReport& report) {
+void compare(const Assembly& assembly, const Built& built, ExchangeReport& report) {
   double area = 0;
   std::size_t shells = 0;
   std::int64_t euler_number = 0;
@@ -106,8 +95,7 @@ void compare(const Assembly& assembly, const Built& built, const Model& model,
       throw Error(Errc::boolean_failed,
                   "what OpenCASCADE unites has the " + std::string(what) + " " +
                       decimal(double(found), kMessageDigits) + ", and the exact solid has " +
-                      decimal(double(exact), kMessageDigits) + std::string(kNothingWritten) +
-                      std::string(advice(model)),
+                      decimal(double(exact), kMessageDigits),
                   {}, assembly.source);
     }
   };
@@ -135,6 +123,82 @@ ExchangeReport report_of(const Written& written, const SurfaceCount& count, doub
     report.faces += solid.faces;
   }
   return report;
+}
+
+// With all lengths times `factor`. Throws Error{boolean_failed} saying what is wrong, not what
+// would do.
+ExchangeFile attempted(const Assembly& assembly, const Built& built, const ExchangeOptions& options,
+                       double factor = 1) {
+  Made made = model_of(assembly, built, options);
+  for (BodyUnion* bodies : {&made.model.whole, &made.model.tools, &made.model.kept}) {
+    scale(*bodies, factor);
+  }
+  Written written = loaded_module().write_solids(made.model);
+  if (!written.fault.empty()) {
+    throw refusal(assembly, written);
+  }
+  ExchangeFile file{std::move(written.bytes),
+                    report_of(written, made.count, factor * millimetres(assembly.unit))};
+  if (options.solids == ExchangeSolids::united) {
+    compare(assembly, built, file.report);
+  }
+  return file;
+}
+
+// The first that is written with all lengths times `factor`.
+std::optional<ExchangeSolids> what_does(const Assembly& assembly, const Built& built,
+                                        ExchangeOptions options,
+                                        std::initializer_list<ExchangeSolids> all, double factor) {
+  for (const ExchangeSolids solids : all) {
+    try {
+      options.solids = solids;
+      (void)attempted(assembly, built, options, factor);
+      return solids;
+    } catch (const Error& error) {
+      if (error.code() != Errc::boolean_failed) {
+        throw;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Whether it has rings so small that OpenCASCADE's tolerances may matter: only then are other
+// sizes worth the time.
+bool is_small(const Model& model) {
+  constexpr double kSmall = 0.01;
+  return std::ranges::any_of(model.whole.bodies, [](const Body& body) {
+    return std::ranges::any_of(body.rings, [](const RingCurve& ring) {
+      return std::min(ring.first, ring.second) < kSmall;
+    });
+  });
+}
+
+// What else there is, of which all was tried.
+std::string advice(const Assembly& assembly, const Built& built, const ExchangeOptions& options) {
+  using enum ExchangeSolids;
+  constexpr double kLarger = 1000;
+  const auto option = [](ExchangeSolids solids) { return "--solids " + std::string(name(solids)); };
+  if (const auto other = what_does(assembly, built, options, {runs, parts, united}, 1)) {
+    return option(*other) + " writes " +
+           (*other == runs    ? "what shares rings each by itself"
+            : *other == parts ? "each part by itself"
+                              : "it") +
+           ", and every mesh format has the union";
+  }
+  if (!is_small(model_of(assembly, built, {options.tolerance}).model)) {
+    return "Every mesh format has the union";
+  }
+  const auto larger =
+      what_does(assembly, built, options, {options.solids, runs, parts, united}, kLarger);
+  return (larger
+              ? "It is too small for OpenCASCADE, whose tolerances are 1e-7 mm: with lengths 1000 "
+                "times as large" +
+                    std::string(assembly.unit == Unit::millimetre ? ", \"units\": \"m\"," : "") +
+                    (*larger == options.solids ? "" : " and " + option(*larger)) +
+                    " it is written. "
+              : "") +
+         "Every mesh format has the union";
 }
 
 std::string surfaces_file(const std::vector<NamedNurbs>& parts, Unit unit, bool iges) {
@@ -165,18 +229,18 @@ bool can_exchange() { return exchange::find_module() != nullptr; }
 
 ExchangeFile step_file(const Assembly& assembly, const Built& built,
                        const ExchangeOptions& options) {
-  const exchange::Module& module = exchange::loaded_module();
-  const exchange::Made made = exchange::model_of(assembly, built, options);
-  exchange::Written written = module.write_solids(made.model);
-  if (!written.fault.empty()) {
-    throw exchange::refusal(assembly, written, made.model);
+  (void)exchange::loaded_module();  // else there is nothing to advise
+  try {
+    return exchange::attempted(assembly, built, options);
+  } catch (const Error& error) {
+    if (error.code() != Errc::boolean_failed) {
+      throw;
+    }
+    throw Error(error.code(),
+                error.message() + std::string(exchange::kNothingWritten) +
+                    exchange::advice(assembly, built, options),
+                error.part(), error.where());
   }
-  ExchangeFile file{std::move(written.bytes),
-                    exchange::report_of(written, made.count, millimetres(assembly.unit))};
-  if (options.solids == ExchangeSolids::united) {
-    exchange::compare(assembly, built, made.model, file.report);
-  }
-  return file;
 }
 
 std::string surfaces_step(const std::vector<NamedNurbs>& parts, Unit unit) {

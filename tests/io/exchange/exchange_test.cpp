@@ -110,6 +110,45 @@ TEST(Exchange, names_no_way_that_does_not_write_fillets) {
   }
 }
 
+// Spheres less than a thousandth of a millimetre across are too small for all of OpenCASCADE.
+TEST(Exchange, names_what_does_alone) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  const auto document = [](const std::string& unit) {
+    return parse_assembly(R"({"units": ")" + unit + R"(", "tolerance": 5e-06, "parts": [
+        {"name": "c", "cyclide_chain": {"spheres": [
+            [0, 0, 0, 0.0006726239899011477],
+            [0.0015145437095126378, -0.0001286519991355074, -2.0873367569463495e-05,
+             0.0006465795282623536],
+            [0.004195761207259343, -0.0004950458782039984, -0.00014182300625693623,
+             0.000815609364633038],
+            [0.005635258606837377, -0.0005314176812789162, -0.0005619595733320872,
+             0.0009401990489104069],
+            [0.007088932568480666, -0.0005668730355348788, -0.0009167519127324174,
+             0.0008940850692624137]],
+          "joints": "kneecaps", "wall": 0.0001916119066209291}}]})",
+                          "d.json");
+  };
+  const Assembly assembly = document("mm");
+  const Built built = build(assembly);
+  for (const ExchangeSolids solids :
+       {ExchangeSolids::united, ExchangeSolids::runs, ExchangeSolids::parts}) {
+    try {
+      (void)step_file(assembly, built, {.solids = solids});
+      ADD_FAILURE() << name(solids);
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find("--solids runs") != std::string::npos,
+                solids == ExchangeSolids::united);
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("--solids united")));
+      EXPECT_THAT(error.what(), testing::HasSubstr("1000 times as large, \"units\": \"m\","));
+    }
+  }
+  const Assembly larger = document("m");
+  EXPECT_EQ(step_file(larger, build(larger), {.solids = ExchangeSolids::runs}).report.solids.size(),
+            1U);
+}
+
 // Red, green and blue are written as numbers from 0 to 1, in single precision.
 TEST(Exchange, parts_have_the_colours_that_are_chosen) {
   if (!can_exchange()) {
