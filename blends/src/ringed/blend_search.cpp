@@ -11,11 +11,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kGridSize = 25;
-// Box and length keep the search from loops, which would reach any margin.
-constexpr double kShortest = 0.05, kLongest = 5, kLongestSpine = 3;  // in units of the scale
-
-// No constant: not every compiler takes logarithms in advance.
-double spacing() { return std::log(kLongest / kShortest) / (kGridSize - 1); }
 
 double local_margin(const RingedSurface& surface, double t) {
   return 1 - curvature(evaluate(surface.spine, t)) * evaluate(surface.radius, t).value;
@@ -25,22 +20,15 @@ std::optional<double> logarithm(const std::optional<double>& speed, double scale
   return speed ? std::optional(std::log(*speed / scale)) : std::nullopt;
 }
 
-std::vector<double> grid_axis(const std::optional<double>& given) {
-  if (given) {
-    return {*given};
-  }
-  std::vector<double> axis(kGridSize);
-  for (int i = 0; i < kGridSize; ++i) {
-    axis[i] = std::log(kShortest) + i * spacing();
-  }
-  return axis;
-}
-
 }  // namespace
 
 BlendSearch::BlendSearch(BlendFamily family, double scale, std::optional<double> k,
-                         std::optional<double> l)
-    : family_(std::move(family)), scale_(scale), k_(logarithm(k, scale)), l_(logarithm(l, scale)) {
+                         std::optional<double> l, const SpeedRange& range)
+    : family_(std::move(family)),
+      scale_(scale),
+      range_(range),
+      k_(logarithm(k, scale)),
+      l_(logarithm(l, scale)) {
   const numbers::Quadrature coarse = numbers::gauss_panels(1);
   for (const double at_k : grid_axis(k_)) {
     for (const double at_l : grid_axis(l_)) {
@@ -50,6 +38,21 @@ BlendSearch::BlendSearch(BlendFamily family, double scale, std::optional<double>
       }
     }
   }
+}
+
+double BlendSearch::spacing() const {
+  return std::log(range_.longest / range_.shortest) / (kGridSize - 1);
+}
+
+std::vector<double> BlendSearch::grid_axis(const std::optional<double>& given) const {
+  if (given) {
+    return {*given};
+  }
+  std::vector<double> axis(kGridSize);
+  for (int i = 0; i < kGridSize; ++i) {
+    axis[i] = std::log(range_.shortest) + i * spacing();
+  }
+  return axis;
 }
 
 Trial BlendSearch::trial(const Speeds& at, const numbers::Quadrature& rule) const {
@@ -83,7 +86,7 @@ Trial BlendSearch::trial(const Speeds& at, const numbers::Quadrature& rule) cons
 }
 
 bool BlendSearch::admissible(const Trial& trial) const {
-  return trial.length <= kLongestSpine * scale_ && std::isfinite(trial.energy) &&
+  return trial.length <= range_.longest_spine * scale_ && std::isfinite(trial.energy) &&
          std::isfinite(trial.margin);
 }
 
@@ -91,7 +94,8 @@ BlendSearch::Cost BlendSearch::cost(const Speeds& at, const CostFunction& wanted
   double outside = 0;  // of the box
   for (const auto& [given, speed] : {std::pair(k_, at.k), std::pair(l_, at.l)}) {
     if (!given) {
-      outside = std::max({outside, std::log(kShortest) - speed, speed - std::log(kLongest)});
+      outside =
+          std::max({outside, std::log(range_.shortest) - speed, speed - std::log(range_.longest)});
     }
   }
   if (outside > 0) {

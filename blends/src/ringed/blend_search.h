@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,12 +22,23 @@ struct Trial {
   double margin = 0;  ///< min(1 - kappa R)
 };
 
-/// The search for end speeds: a log grid over 0.05 to 5 times the `scale`, then nested golden
+/// What is searched, in units of the scale.
+struct SpeedRange {
+  double shortest = 0, longest = 0, longest_spine = 0;
+};
+
+/// Box and length keep the search from loops, which would reach any margin.
+inline constexpr SpeedRange kNearSpeeds{0.05, 5, 3};
+/// With the loops, for a remedy where there is none among the near ones.
+inline constexpr SpeedRange kAllSpeeds{0.05, 64, std::numeric_limits<double>::infinity()};
+
+/// The search for end speeds: a log grid over a range of the `scale`, then nested golden
 /// sections about its best point. (A simplex search stalls here: the margin has an edge wherever
 /// two places on the spine are equally tight.)
 class BlendSearch {
  public:
-  BlendSearch(BlendFamily family, double scale, std::optional<double> k, std::optional<double> l);
+  BlendSearch(BlendFamily family, double scale, std::optional<double> k, std::optional<double> l,
+              const SpeedRange& range = kNearSpeeds);
 
   /// Least energy with at least this margin; none if there is none.
   [[nodiscard]] std::optional<Trial> least_energy(double margin) const;
@@ -45,6 +57,8 @@ class BlendSearch {
     double k = 0, l = 0;
   };
 
+  [[nodiscard]] double spacing() const;
+  [[nodiscard]] std::vector<double> grid_axis(const std::optional<double>& given) const;
   [[nodiscard]] Trial trial(const Speeds& at, const numbers::Quadrature& rule) const;
   [[nodiscard]] bool admissible(const Trial& trial) const;
   [[nodiscard]] Cost cost(const Speeds& at, const CostFunction& wanted) const;
@@ -53,6 +67,7 @@ class BlendSearch {
 
   BlendFamily family_;
   double scale_;
+  SpeedRange range_;
   std::optional<double> k_, l_;  // logarithms, if given
   numbers::Quadrature fine_ = numbers::gauss_panels(4);
   std::vector<std::pair<Speeds, Trial>> grid_;  // the admissible points

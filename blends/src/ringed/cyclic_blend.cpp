@@ -63,9 +63,10 @@ RingedSurface assembled(const Ring& from, const Ring& to, const CyclicBlendOptio
   return {flipped(from), flipped(to), spine, cylinder_ended(radii, options)};
 }
 
-ringed::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+ringed::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                           const ringed::SpeedRange& range = ringed::kNearSpeeds) {
   const auto family = [=](double k, double l) { return assembled(from, to, options, k, l); };
-  return {family, (to.center - from.center).norm(), options.k, options.l};
+  return {family, (to.center - from.center).norm(), options.k, options.l, range};
 }
 
 void require_positive(const std::optional<double>& speed, const std::string& name) {
@@ -153,6 +154,13 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
   return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
 }
 
+// For a remedy: as near as can be to the speeds wanted, loops not excluded.
+std::optional<BlendChoice> further_choice(const Ring& from, const Ring& to,
+                                          const CyclicBlendOptions& options, double k, double l) {
+  const ringed::BlendSearch blends = search(from, to, options, ringed::kAllSpeeds);
+  return certified_choice(from, to, options, [&](double aim) { return blends.nearest(aim, k, l); });
+}
+
 // None if all spines stop.
 std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
                                          const CyclicBlendOptions& options,
@@ -188,15 +196,43 @@ std::string widest_text(const Ring& from, const Ring& to, const CyclicBlendOptio
                      widest.margin - kFourDigits * std::abs(widest.margin));
 }
 
+std::string near_text() {
+  const auto& [shortest, longest, longest_spine] = ringed::kNearSpeeds;
+  return decimal(shortest, 4) + " to " + decimal(longest, 4) +
+         " times the distance of the ends, with a spine of at most " + decimal(longest_spine, 4) +
+         " times it";
+}
+
+// Where none of the near speeds is enough.
+std::string further_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                         const std::optional<BlendChoice>& further) {
+  if (!further) {
+    return "nor was any found of up to " + decimal(ringed::kAllSpeeds.longest, 4) +
+           " times the distance, with a spine of any length";
+  }
+  return speeds_text(from, to, options, *further, options.margin) +
+         " has enough, with a spine that is " + decimal(further->length, 4) + " long";
+}
+
 [[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
                                     const CyclicBlendOptions& options) {
   const auto widest = widest_choice(from, to, options, search(from, to, options));
+  const double distance = (to.center - from.center).norm();
+  CyclicBlendOptions any = options;
+  any.k = any.l = std::nullopt;
+  const auto further =
+      further_choice(from, to, any, options.k.value_or(distance), options.l.value_or(distance));
+  const auto given = [](const char* name, const std::optional<double>& speed) {
+    return speed ? " with " + (name + decimal(*speed, kMessageDigits)) : "";
+  };
   throw Error(Errc::infeasible_blend,
-              "no end speeds give this blend a margin min(1 - kappa R) of " +
+              "no end speeds" + given("k = ", options.k) + given("l = ", options.l) + " of " +
+                  near_text() + ", were found that give this blend a margin min(1 - kappa R) of " +
                   decimal(options.margin, kMessageDigits) +
-                  (widest ? "; the largest reachable is " + decimal(widest->margin, 4) + " with " +
+                  (widest ? "; the largest of these is " + decimal(widest->margin, 4) + " with " +
                                 widest_text(from, to, options, *widest)
                           : "") +
+                  "; " + further_text(from, to, options, further) +
                   "; move the ends apart, reduce the radii, or ask for less margin");
 }
 
@@ -208,10 +244,15 @@ std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& o
              widest_text(from, to, options, *advice.widest);
   }
   if (!advice.nearest) {
-    return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
+    CyclicBlendOptions any = options;
+    any.k = any.l = std::nullopt;
+    return "no end speeds that work were found of " + near_text() +
+           (widest.empty() ? "" : "; of these, " + widest) + "; " +
+           further_text(from, to, options, further_choice(from, to, any, *options.k, *options.l));
   }
   return widest + "; nearest to those given, " +
-         speeds_text(from, to, options, *advice.nearest, options.margin) + " has enough";
+         speeds_text(from, to, options, *advice.nearest, options.margin) +
+         " has enough, of end speeds of " + near_text();
 }
 
 // Sampled where the margin is missed, for the message: what is proven is the interval.

@@ -70,10 +70,36 @@ TEST(CyclicBlend, knows_when_no_speeds_give_any_margin) {
   const Ring below{Vec3(0, 0, 0), -Vec3::UnitY(), 0.5}, above{Vec3(0, 14, 0), Vec3::UnitY(), 2};
   const Error given = error_of([&] { (void)cyclic_blend(below, above, {.k = 12, .l = 2}); });
   EXPECT_EQ(given.code(), Errc::irregular_surface);
-  EXPECT_THAT(given.message(), testing::EndsWith("; no other end speeds work either"));
+  EXPECT_THAT(given.message(),
+              testing::EndsWith("; no end speeds that work were found of 0.05 to 5 times the "
+                                "distance of the ends, with a spine of at most 3 times it; nor was "
+                                "any found of up to 64 times the distance, with a spine of any "
+                                "length"));
   const Error automatic = error_of([&] { (void)cyclic_blend(below, above, {}); });
   EXPECT_EQ(automatic.code(), Errc::infeasible_blend);
-  EXPECT_THAT(automatic.message(), Not(HasSubstr("largest reachable")));
+  EXPECT_THAT(automatic.message(), Not(HasSubstr("the largest of these")));
+}
+
+// What works is beyond 5 times the distance of the ends: that nothing works was untrue.
+TEST(CyclicBlend, proposes_speeds_far_away_where_none_near_work) {
+  const Ring from{Vec3(0, 0, 0), Vec3::UnitX(), 0.5};
+  const Ring to{Vec3(3.576, 0.044, 1.598), -Vec3::UnitY(), 1};
+  const auto build = [&](const CyclicBlendOptions& options) {
+    (void)cyclic_blend(from, to, options);
+  };
+  for (const CyclicBlendOptions& options : {CyclicBlendOptions{.k = 9.2, .l = 12.1},
+                                            CyclicBlendOptions{}, CyclicBlendOptions{.k = 20}}) {
+    const Error error = error_of([&] { build(options); });
+    const std::string& message = error.message();
+    EXPECT_THAT(message, HasSubstr(" of 0.05 to 5 times the distance of the ends, with a spine of "
+                                   "at most 3 times it"));
+    const std::size_t at = message.rfind("k = ");
+    ASSERT_NE(at, std::string::npos) << message;
+    EXPECT_THAT(message.substr(at), HasSubstr(" has enough, with a spine that is "));
+    const double k = std::stod(message.substr(at + 4));
+    const double l = std::stod(message.substr(message.rfind("l = ") + 4));
+    EXPECT_NO_THROW(build({.k = k, .l = l})) << message;
+  }
 }
 
 TEST(CyclicBlend, proposes_speeds_that_work) {
