@@ -176,7 +176,7 @@ class Edit {
 
 // How far the edit can go, found by halving; sound steps need not be all of them.
 std::string farthest(const Edit& edit) {
-  constexpr int kHalvings = 10, kBuilds = 4;
+  constexpr int kHalvings = 10, kBuilds = 8;
   if (!edit.is_sound(0, false)) {
     return "; the chain is no better as it is, see --margin";
   }
@@ -185,13 +185,17 @@ std::string farthest(const Edit& edit) {
     const double middle = (sound + unsound) / 2;
     (edit.is_sound(middle, false) ? sound : unsound) = middle;
   }
-  for (int i = 0; i < kBuilds && sound > 0; ++i, sound /= 2) {
-    if (edit.is_sound(sound, true)) {
-      return "; the farthest that was found to be sound is " + edit.option_at(sound) + ", " +
-             decimal(100 * sound, 3) + "% of the way";
-    }
+  // What looks sound may not build: then halving goes on, by builds.
+  double built = 0;
+  for (int i = 0; i < kBuilds && built < sound; ++i) {
+    const double share = i == 0 ? sound : (built + unsound) / 2;
+    (edit.is_sound(share, true) ? built : unsound) = share;
   }
-  return "; no sound place was found on the way there";
+  if (built == 0) {
+    return "; no sound place was found on the way there";
+  }
+  return "; the farthest that was found to be sound is " + edit.option_at(built) + ", " +
+         decimal(100 * built, 3) + "% of the way";
 }
 
 // Usage and numbers out of range are said as they are; what does not fit, with what would.

@@ -179,6 +179,12 @@ TEST_F(Edit, says_how_far_a_sphere_can_go) {
   const std::string typed = error.substr(from + 7, error.find(", ", from) - from - 7);
   EXPECT_EQ(dupin({"edit", hook, "--move", typed, "-o", "new.json"}).exit_code, 0) << typed;
   EXPECT_EQ(dupin({"build", "new.json", "-o", "new.off", "-q"}).exit_code, 0);
+  // What is found by builds is near the best: two thirds of this way build, 43 % were said.
+  const std::string far = refused(
+      "2=-0.7952959191586608,5.171934441269358,-0.09605967765167228,1.2462273815707359", {});
+  const std::string::size_type share = far.rfind(", ");
+  EXPECT_THAT(far, HasSubstr("% of the way"));
+  EXPECT_GT(std::stod(far.substr(share + 2)), 60) << far;
   EXPECT_THAT(refused("4=1.1,2.5,0.2,0.8", {"--margin", "0.9"}),
               testing::AllOf(HasSubstr("its margin 1 - kappa R is at most "),
                              HasSubstr(", and must be at least 0.9; the chain is no better")));
