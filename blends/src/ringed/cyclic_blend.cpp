@@ -154,11 +154,52 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
   return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
 }
 
-// For a remedy: as near as can be to the speeds wanted, loops not excluded.
+struct Disc {
+  Vec3 center, normal;
+  double radius = 0;
+};
+
+// Along the line that their planes share.
+bool meet(const Disc& a, const Disc& b) {
+  const Vec3 line = a.normal.cross(b.normal), way = b.center - a.center;
+  const double turn = line.norm();
+  const auto half_chord = [turn](const Disc& disc, double offset) {
+    return std::sqrt(disc.radius * disc.radius - offset * offset / (turn * turn));
+  };
+  const double chords = half_chord(a, b.normal.dot(way)) + half_chord(b, a.normal.dot(way));
+  return std::abs(line.dot(way)) <= turn * chords;  // false for what is no number
+}
+
+// By samples, for what is proposed only: a loop may have the margin and cross itself.
+bool crosses_itself(const RingedSurface& surface, double margin) {
+  constexpr int kSamples = 128;
+  std::vector<Disc> discs;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = double(i) / kSamples;
+    const SpinePoint point = evaluate(surface.spine, t);
+    discs.push_back({point.position, point.first.normalized(),
+                     (1 + margin / 2) * evaluate(surface.radius, t).value});
+    if (std::any_of(discs.begin(), discs.end() - 1,
+                    [&](const Disc& other) { return meet(other, discs.back()); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// For a remedy: as near as can be to the speeds wanted, or to ever larger ones, loops not excluded.
 std::optional<BlendChoice> further_choice(const Ring& from, const Ring& to,
                                           const CyclicBlendOptions& options, double k, double l) {
   const ringed::BlendSearch blends = search(from, to, options, ringed::kAllSpeeds);
-  return certified_choice(from, to, options, [&](double aim) { return blends.nearest(aim, k, l); });
+  for (double factor = 1; factor <= 16; factor *= 1.5) {
+    const auto found = certified_choice(
+        from, to, options, [&](double aim) { return blends.nearest(aim, factor * k, factor * l); });
+    if (found &&
+        !crosses_itself(assembled(from, to, options, found->k, found->l), options.margin)) {
+      return found;
+    }
+  }
+  return std::nullopt;
 }
 
 // None if all spines stop.
@@ -207,7 +248,8 @@ std::string near_text() {
 std::string further_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
                          const std::optional<BlendChoice>& further) {
   if (!further) {
-    return "nor was any found of up to " + decimal(ringed::kAllSpeeds.longest, 4) +
+    return "nor were any found that do, and do not cross themselves, of up to " +
+           decimal(ringed::kAllSpeeds.longest, 4) +
            " times the distance, with a spine of any length";
   }
   return speeds_text(from, to, options, *further, options.margin) +

@@ -70,11 +70,13 @@ TEST(CyclicBlend, knows_when_no_speeds_give_any_margin) {
   const Ring below{Vec3(0, 0, 0), -Vec3::UnitY(), 0.5}, above{Vec3(0, 14, 0), Vec3::UnitY(), 2};
   const Error given = error_of([&] { (void)cyclic_blend(below, above, {.k = 12, .l = 2}); });
   EXPECT_EQ(given.code(), Errc::irregular_surface);
-  EXPECT_THAT(given.message(),
-              testing::EndsWith("; no end speeds that work were found of 0.05 to 5 times the "
-                                "distance of the ends, with a spine of at most 3 times it; nor was "
-                                "any found of up to 64 times the distance, with a spine of any "
-                                "length"));
+  EXPECT_THAT(
+      given.message(),
+      testing::EndsWith("; no end speeds that work were found of 0.05 to 5 times the "
+                        "distance of the ends, with a spine of at most 3 times it; nor were "
+                        "any found that do, and do not cross themselves, of up to 64 times the "
+                        "distance, with a spine of any "
+                        "length"));
   const Error automatic = error_of([&] { (void)cyclic_blend(below, above, {}); });
   EXPECT_EQ(automatic.code(), Errc::infeasible_blend);
   EXPECT_THAT(automatic.message(), Not(HasSubstr("the largest of these")));
