@@ -194,8 +194,10 @@ std::optional<BlendChoice> further_choice(const Ring& from, const Ring& to,
   for (double factor = 1; factor <= 16; factor *= 1.5) {
     const auto found = certified_choice(
         from, to, options, [&](double aim) { return blends.nearest(aim, factor * k, factor * l); });
-    if (found &&
-        !crosses_itself(assembled(from, to, options, found->k, found->l), options.margin)) {
+    if (!found) {
+      return std::nullopt;
+    }
+    if (!crosses_itself(assembled(from, to, options, found->k, found->l), options.margin)) {
       return found;
     }
   }
