@@ -442,8 +442,8 @@ void verify(const Certificate& certificate) {
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
   const auto hubs = verification::hubs_of(certificate);
   const auto solids = verification::verify_parts(certificate, hubs);
-  verification::verify_joined(solids, parts);
   const auto hub_pairs = verification::verify_junctions(solids, certificate);
+  verification::verify_joined(solids, parts);
   const auto fillets = verification::verify_fillets(solids, certificate);
   if (certificate.apart == 0) {
     verification::verify_all_pairs(solids, certificate, hub_pairs);
