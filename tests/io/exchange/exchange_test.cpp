@@ -110,7 +110,7 @@ TEST(Exchange, names_no_way_that_does_not_write_fillets) {
   }
 }
 
-// Spheres less than a thousandth of a millimetre across are too small for all of OpenCASCADE.
+// Spheres of a thousandth of a millimetre are too small for OpenCASCADE's tolerances.
 TEST(Exchange, names_what_does_alone) {
   if (!can_exchange()) {
     GTEST_SKIP() << "built without OpenCASCADE";
