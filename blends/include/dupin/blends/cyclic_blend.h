@@ -43,8 +43,9 @@ struct BlendChoice {
 ///
 /// Throws Error{irregular_surface} where given speeds make the surface fold or the radius vanish
 /// (parameter interval, missing margin, and speeds that would work), Error{infeasible_blend} where
-/// no speeds work (with the largest margin reachable), Error{invalid_argument} for bad numbers,
-/// rings of equal centre, and R2 where it does not apply.
+/// none of the speeds that are searched work (with the largest margin of these, and with speeds of
+/// up to 64 times the distance of the centres that work, if any are found),
+/// Error{invalid_argument} for bad numbers, rings of equal centre, and R2 where it does not apply.
 [[nodiscard]] RingedSurface cyclic_blend(const Ring& from, const Ring& to,
                                          const CyclicBlendOptions& options = {});
 
@@ -65,8 +66,9 @@ struct BlendAdvice {
   /// The most by which the radius exceeds the radius of curvature that the margin leaves it, (1 -
   /// margin) / kappa.
   double missing_length = 0;
-  std::optional<BlendChoice> nearest;  ///< speeds that work, nearest in the logarithms
-  std::optional<BlendChoice> widest;   ///< speeds of the largest margin
+  /// Of the speeds that choose_velocities searches:
+  std::optional<BlendChoice> nearest;  ///< those that work, nearest in the logarithms
+  std::optional<BlendChoice> widest;   ///< those of the largest margin
 };
 
 /// Both speeds must be given. Throws as cyclic_blend for bad numbers.
