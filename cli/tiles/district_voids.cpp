@@ -11,21 +11,27 @@ namespace {
 
 std::array<double, 3> key_of(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 
-/// The triangles of the shell with this one.
-TriMesh shell_of(const TriMesh& mesh, std::span<const std::uint32_t> components,
-                 std::uint32_t face) {
-  const std::uint32_t own = components[mesh.triangles[face][0]];
-  TriMesh shell;
-  for (const Triangle& triangle : mesh.triangles) {
-    if (components[triangle[0]] == own) {
-      const auto first = static_cast<std::uint32_t>(shell.points.size());
-      for (const std::uint32_t corner : triangle) {
-        shell.points.push_back(mesh.points[corner]);
-      }
-      shell.triangles.push_back({first, first + 1, first + 2});
-    }
+/// The triangles of the shells with these ones, shell by shell.
+std::vector<TriMesh> shells_of(const TriMesh& mesh, std::span<const std::uint32_t> faces) {
+  const auto components = connected_components(mesh.triangles, mesh.points.size());
+  std::map<std::uint32_t, std::size_t> place;  // by component
+  for (const std::uint32_t face : faces) {
+    place.emplace(components[mesh.triangles[face][0]], place.size());
   }
-  return shell;
+  std::vector<TriMesh> shells(place.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto found = place.find(components[triangle[0]]);
+    if (found == place.end()) {
+      continue;
+    }
+    TriMesh& shell = shells[found->second];
+    const auto first = static_cast<std::uint32_t>(shell.points.size());
+    for (const std::uint32_t corner : triangle) {
+      shell.points.push_back(mesh.points[corner]);
+    }
+    shell.triangles.push_back({first, first + 1, first + 2});
+  }
+  return shells;
 }
 
 DistrictVoid void_of(const TriMesh& shell, const Vec3& origin, std::size_t district,
@@ -70,17 +76,16 @@ std::vector<Vec3> DistrictPlaces::in(const Eigen::AlignedBox3d& box, std::size_t
 
 std::vector<DistrictVoid> voids_of(const Rounded& rounded, const Report& report,
                                    std::size_t district, const DistrictPlaces& places) {
-  const auto is_void = [](const ShellReport& shell) { return shell.depth % 2 != 0; };
-  std::vector<DistrictVoid> result;
-  if (std::ranges::none_of(report.shells, is_void)) {
-    return result;
-  }
-  const TriMesh& mesh = rounded.mesh();
-  const auto components = connected_components(mesh.triangles, mesh.points.size());
+  std::vector<std::uint32_t> faces;  // one of each shell around a void
   for (const ShellReport& shell : report.shells) {
-    if (is_void(shell)) {
-      result.push_back(void_of(shell_of(mesh, components, shell.first_face),
-                               rounded.report().origin, district, places));
+    if (shell.depth % 2 != 0) {
+      faces.push_back(shell.first_face);
+    }
+  }
+  std::vector<DistrictVoid> result;
+  if (!faces.empty()) {
+    for (const TriMesh& shell : shells_of(rounded.mesh(), faces)) {
+      result.push_back(void_of(shell, rounded.report().origin, district, places));
     }
   }
   return result;
