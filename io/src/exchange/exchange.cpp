@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
@@ -148,7 +149,7 @@ ExchangeFile attempted(const Assembly& assembly, const Built& built, const Excha
 // The first that is written with all lengths times `factor`.
 std::optional<ExchangeSolids> what_does(const Assembly& assembly, const Built& built,
                                         ExchangeOptions options,
-                                        std::initializer_list<ExchangeSolids> all, double factor) {
+                                        std::span<const ExchangeSolids> all, double factor) {
   for (const ExchangeSolids solids : all) {
     try {
       options.solids = solids;
@@ -174,12 +175,15 @@ bool is_small(const Model& model) {
   });
 }
 
-// What else there is, of which all was tried.
+// What else there is, of which all was tried: what has failed is not tried again as it is.
 std::string advice(const Assembly& assembly, const Built& built, const ExchangeOptions& options) {
   using enum ExchangeSolids;
   constexpr double kLarger = 1000;
   const auto option = [](ExchangeSolids solids) { return "--solids " + std::string(name(solids)); };
-  if (const auto other = what_does(assembly, built, options, {runs, parts, united}, 1)) {
+  std::vector<ExchangeSolids> all{runs, parts, united};
+  const auto own = std::ranges::find(all, options.solids);
+  std::rotate(all.begin(), own, own + 1);
+  if (const auto other = what_does(assembly, built, options, std::span(all).subspan(1), 1)) {
     return option(*other) + " writes " +
            (*other == runs    ? "what shares rings each by itself"
             : *other == parts ? "each part by itself"
@@ -189,8 +193,7 @@ std::string advice(const Assembly& assembly, const Built& built, const ExchangeO
   if (!is_small(model_of(assembly, built, {options.tolerance}).model)) {
     return "Every mesh format has the union";
   }
-  const auto larger =
-      what_does(assembly, built, options, {options.solids, runs, parts, united}, kLarger);
+  const auto larger = what_does(assembly, built, options, all, kLarger);
   return (larger
               ? "It is too small for OpenCASCADE, whose tolerances are 1e-7 mm: with lengths 1000 "
                 "times as large" +
