@@ -13,6 +13,9 @@ namespace {
 /// A triangle whose proof needs more parts counts as not near: so many, and more where much is
 /// near.
 constexpr std::size_t kMostParts = 4096, kMostPartsPerTriangle = 64;
+/// Parts of more corners count more often: rounding may leave one as it is, but for a corner that
+/// is there once more, time and again.
+constexpr std::size_t kUsualCorners = 8;
 /// Of parts with more triangles near, halves are looked at: all triangles would be, for each.
 constexpr std::size_t kFew = 12;
 /// A part may reach over its triangle's edges by this share of the distance: no slivers are left.
@@ -55,7 +58,8 @@ class Cover {
 
   /// Whether every point of the part is near one of the triangles.
   [[nodiscard]] bool covers(const Polygon& part, const Faces& near) {
-    if (is_far_ || ++parts_ > most_parts_) {
+    parts_ += 1 + part.size() * part.size() / (kUsualCorners * kUsualCorners);
+    if (is_far_ || parts_ > most_parts_) {
       return false;
     }
     const Vec3 middle = middle_of(part);

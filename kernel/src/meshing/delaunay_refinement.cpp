@@ -72,7 +72,8 @@ class ExudationTraits : public CGAL::Kernel_traits<Domain>::Kernel {
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, ExudationTraits>::type;
 
 /// What is made. Where the generator looks at simplices again and again, and adds no point, as it
-/// does for ever where the one that it wants cannot be, that is found out: it throws Stalled.
+/// does for ever where the one that it wants cannot be, or more points than are of use, that is
+/// found out: it throws Stalled.
 class Complex : public CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
                                                                Domain::Curve_index> {
   using Base = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
@@ -80,26 +81,35 @@ class Complex : public CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Do
 
  public:
   struct Stalled {};
-  void watch(bool on) {
-    is_watched_ = on;
+  void watch(std::size_t most_points) {
+    is_watched_ = true;
+    most_points_ = most_points;
     looked_ = 0;
   }
+  void watch_no_more() { is_watched_ = false; }
 
   template <class... Simplex>
   [[nodiscard]] bool is_in_complex(const Simplex&... simplex) const {
     constexpr std::size_t kOften = 64, kAtLeast = 1 << 20;
-    if (is_watched_ && ++looked_ > kAtLeast + kOften * triangulation().number_of_cells()) {
-      if (points_ == triangulation().number_of_vertices()) {
+    if (is_watched_) {
+      const std::size_t points = triangulation().number_of_vertices();
+      if (points > most_points_) {
         throw Stalled();
       }
-      points_ = triangulation().number_of_vertices();
-      looked_ = 0;
+      if (++looked_ > kAtLeast + kOften * triangulation().number_of_cells()) {
+        if (points_ == points) {
+          throw Stalled();
+        }
+        points_ = points;
+        looked_ = 0;
+      }
     }
     return Base::is_in_complex(simplex...);
   }
 
  private:
   bool is_watched_ = false;
+  std::size_t most_points_ = 0;
   mutable std::size_t looked_ = 0;  // how often since it was last asked how many points there are
   mutable std::size_t points_ = 0;  // how many there were then
 };
@@ -280,10 +290,10 @@ class Generation {
         given::mesh_3_options(given::maximal_number_of_vertices = wanted_.most_points,
                               given::pointer_to_error_code = &code_);
     const auto topology = wanted_.fill ? given::manifold() : given::manifold_with_boundary();
-    complex.watch(true);
+    complex.watch(wanted_.most_useful_points);
     CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(), given::no_exude(),
                         given::no_perturb(), given::no_odt(), given::no_lloyd(), options, topology);
-    complex.watch(false);
+    complex.watch_no_more();
     require_room();
     if (wanted_.fill) {  // as long as it takes: what is left out would depend on how fast that is
       CGAL::exude_mesh_3(complex, given::time_limit = 0);

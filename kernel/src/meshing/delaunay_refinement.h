@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
@@ -28,6 +29,9 @@ struct Refinement {
   double smallest_angle = 0;  ///< of triangles, in radians, away from curves
   bool fill = false;          ///< whether shapes and sizes of tetrahedra inside matter
   std::size_t most_points = 0;
+  /// The generator has given up where it makes more: where edges that it may not cut keep it from a
+  /// manifold, it would go on and on beside them.
+  std::size_t most_useful_points = std::numeric_limits<std::size_t>::max();
   std::vector<Seed> seeds;
 };
 

@@ -156,8 +156,9 @@ std::string GivenSolid::too_thin(const Vec3& place, double thickness) const {
          " of them; allow a distance below that, or make it thicker there";
 }
 
-std::string GivenSolid::no_mesh() {
-  return "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
+std::string GivenSolid::no_mesh(const std::optional<Vec3>& place) {
+  return "no mesh of the " + (place ? "surface at " + decimal(*place) : std::string("solid")) +
+         " comes of these lengths; allow shorter edges or less distance";
 }
 
 }  // namespace dupin::meshing

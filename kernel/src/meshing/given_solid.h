@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class GivenSolid {
   [[nodiscard]] std::string too_long() const;
   /// Of sides that cross each other in the mesh.
   [[nodiscard]] std::string too_thin(const Vec3& place, double thickness) const;
-  [[nodiscard]] static std::string no_mesh();
+  [[nodiscard]] static std::string no_mesh(const std::optional<Vec3>& place = {});
 
  private:
   const Solid& solid_;

@@ -76,8 +76,27 @@ class Mesher {
     wanted.distance = distance;
     wanted.smallest_angle = options_.smallest_angle;
     wanted.most_points = options_.most_points;
+    wanted.most_useful_points = most_useful_points(lengths);
     wanted.seeds = seeds_of(region_.mesh, region_.features, surface_, lengths);
     return refine_surface(region_.mesh, region_.features, balls_, wanted, progress_);
+  }
+
+  /// Meshes had at most 1.8 times as many points as their borders, and triangles of these lengths,
+  /// have.
+  [[nodiscard]] std::size_t most_useful_points(const EdgeLengths& lengths) const {
+    constexpr double kMore = 4, kAtLeast = 500;
+    double points = static_cast<double>(balls_.points.size());
+    for (const auto& [a, b, c] : region_.mesh.triangles) {
+      const Vec3 &p = region_.mesh.points[a], &q = region_.mesh.points[b],
+                 &r = region_.mesh.points[c];
+      double shortest = edge_share_ * given_.largest_edge();
+      for (const Vec3& place : {p, q, r, Vec3((p + q + r) / 3)}) {
+        shortest = std::min(shortest, lengths.at(place));
+      }
+      points += (q - p).cross(r - p).norm() / 2 / (shortest * shortest);
+    }
+    return static_cast<std::size_t>(
+        std::min(kAtLeast + kMore * points, static_cast<double>(options_.most_points)));
   }
 
   /// Whether edges between neighbours of the chains, which every mesh has, may be within the
@@ -137,7 +156,8 @@ class Mesher {
       outward.push_back(near ? region_.features.normals[near->face].dot(normal) : 0);
     }
     if (made_.triangles.empty() || !turn_outward(made_.triangles, outward, borders_)) {
-      wish_.fault = GivenSolid::no_mesh();
+      const Triangle& t = region_.mesh.triangles.front();
+      wish_.fault = GivenSolid::no_mesh(region_.mesh.points[t[0]]);
       return false;
     }
     return true;

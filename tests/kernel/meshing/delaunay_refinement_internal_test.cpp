@@ -98,6 +98,17 @@ TEST(DelaunayRefinement, ends_at_the_number_of_points_allowed) {
   }
 }
 
+// Where it would go on and on, that is no fault of the limit.
+TEST(DelaunayRefinement, gives_up_at_more_points_than_are_of_use) {
+  const TriMesh box = test::box(Vec3::Zero(), Vec3(4, 2, 1));
+  Refinement wanted = refinement(0.5);
+  const std::size_t all = refined(box, wanted).points.size();
+  wanted.most_useful_points = 2 * all;
+  EXPECT_EQ(refined(box, wanted).points.size(), all);
+  wanted.most_useful_points = all / 2;
+  EXPECT_TRUE(refined(box, wanted).points.empty());
+}
+
 TEST(DelaunayRefinement, begins_at_seeds_where_there_are_no_curves) {
   const TriMesh mesh = test::tube(2, 0, 6, 32);
   const Features none = find_features(mesh, 3, 0.01, 0);
