@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::support {
@@ -19,7 +20,7 @@ std::uint64_t machine_memory() {
          static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes / 1000000) + " MB"; }
+double megabytes(std::uint64_t bytes) { return double(bytes) / 1e6; }
 
 }  // namespace
 
@@ -42,8 +43,8 @@ void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std:
         "the boolean operation on " + std::to_string(triangles) + " triangles" +
             (intersections == 0 ? ""
                                 : ", of which " + std::to_string(intersections) + " pairs meet,") +
-            " would need about " + megabytes(needed) + " of memory; allowed are " +
-            megabytes(allowed));
+            " would need about " + decimal_at_most(megabytes(needed)) +
+            " MB of memory; allowed are " + decimal_at_least(megabytes(allowed)) + " MB");
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <boost/locale/utf.hpp>
+
 namespace dupin::support {
 namespace {
 
@@ -81,14 +83,23 @@ std::string with_short_keys(std::string_view place) {
 }
 
 std::string printable(std::string_view text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
+  for (const char* at = text.data(); at < text.data() + text.size();) {
+    const char* const from = at;
+    const auto point = Utf8::decode(at, text.data() + text.size());
+    const bool is_point = boost::locale::utf::is_valid_codepoint(point);
+    at = is_point ? at : from + 1;
+    const bool is_control =
+        (point < 0x20 && point != '\n' && point != '\t') || (point >= 0x7f && point < 0xa0);
+    if (is_point && !is_control) {
+      result.append(from, at);
+      continue;
+    }
+    for (const char c : std::string_view(from, static_cast<std::size_t>(at - from))) {
+      const auto byte = static_cast<unsigned char>(c);
       result += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
-    } else {
-      result += c;
     }
   }
   return result;

@@ -35,7 +35,8 @@ void expect_refusal(const Function& function, Errc code, const std::string& part
 TEST(BooleanLimits, memory_is_estimated_before_it_is_taken) {
   const std::vector<Solid> pair = solids("coax");
   expect_refusal([&] { return unite(pair, {.memory_limit = 100000}); }, Errc::limit_exceeded,
-                 "the boolean operation on 1280 triangles would need about 0 MB of memory");
+                 "the boolean operation on 1280 triangles would need about 0.256 MB of memory; "
+                 "allowed are 0.1 MB");
   const std::vector<Solid> rack = solids("rack_small");
   expect_refusal([&] { return unite(rack, {.memory_limit = 2000000}); }, Errc::limit_exceeded,
                  "pairs meet, would need about");
