@@ -10,6 +10,7 @@
 
 #include "boxes/bounds.h"
 #include "dupin/kernel/connected_components.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "mesh/coincident_points.h"
@@ -65,7 +66,10 @@ class Rounding {
         representatives_(mesh::representatives_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
-                  "coordinates exceed the range of binary32; use a format that holds doubles");
+                  "coordinates of up to " + decimal(rounded_.largest_on_lattice, kMessageDigits) +
+                      " exceed the range of binary32, which ends at " +
+                      decimal(largest_number(), kMessageDigits) +
+                      "; use a format that holds doubles (OFF, OBJ, PLY instead of STL)");
     }
     rounded_.largest = std::max(rounded_.largest, largest_of(options, past_.origin + origin_));
     step_ = lattice_.step(rounded_.largest);
@@ -550,7 +554,8 @@ Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
        .is_far = box.sizes().maxCoeff() < rounded_.largest,
        .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
        .is_loss = would_lose_,
-       .is_nothing = is_nothing});
+       .is_nothing = is_nothing,
+       .do_doubles_tell = box.sizes().maxCoeff() > double_step_});
 }
 
 }  // namespace dupin::rounding

@@ -102,7 +102,7 @@ Error unroundable_error(const Unroundable& what) {
     if (what.is_far) {
       remedies.emplace_back(kRecentring);
     }
-    if (what.coordinates == Coordinates::binary32) {
+    if (what.coordinates == Coordinates::binary32 && what.do_doubles_tell) {
       remedies.emplace_back("a format that holds doubles (OFF, OBJ, PLY instead of STL)");
     }
   }

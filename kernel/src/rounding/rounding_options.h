@@ -33,7 +33,8 @@ struct Unroundable {
   bool is_on_output_grid = false;  ///< the numbers are those of RoundingOptions::output_grid
   bool is_loss =
       false;  ///< cut, it would be valid, but lack what is further off than the tolerance
-  bool is_nothing = false;  ///< what rounding leaves has no triangle, whatever the tolerance
+  bool is_nothing = false;      ///< what rounding leaves has no triangle, whatever the tolerance
+  bool do_doubles_tell = true;  ///< the solid is larger than their distances in its place
 };
 
 /// With the options that may help. Ends by asking for a larger tolerance, unless none helps.

@@ -4,6 +4,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/parallel.h"
 #include "dupin/kernel/rounding.h"
+#include "exact/float_lattice.h"
 #include "rounding/rounding_options.h"
 
 namespace dupin {
@@ -14,13 +15,14 @@ void require_something_left(const RoundingReport& report, std::size_t triangles,
     return;
   }
   const auto& whole = options.whole;
+  const double largest = rounding::largest_of(options, report.origin);
+  const double size = whole ? whole->box.sizes().maxCoeff() : largest;
   throw rounding::unroundable_error(
       {.at = report.thin_shells.empty() ? report.origin : report.thin_shells.front().place,
        .coordinates = report.coordinates,
-       .is_far =
-           whole && whole->box.sizes().maxCoeff() < rounding::largest_of(options, report.origin),
-       .is_on_output_grid = options.output_grid > 0,
-       .is_nothing = true});
+       .is_far = size<largest, .is_on_output_grid = options.output_grid> 0,
+       .is_nothing = true,
+       .do_doubles_tell = size > exact::FloatLattice(Coordinates::binary64).step(largest)});
 }
 
 Report check(const Rounded& rounded) {

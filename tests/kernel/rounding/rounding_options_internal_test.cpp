@@ -93,6 +93,9 @@ TEST(UnroundableError, names_the_place_and_only_what_may_help) {
   EXPECT_THAT(far.what(), HasSubstr("recentring"));
   EXPECT_THAT(far.what(), HasSubstr("STL"));
   EXPECT_TRUE(far.message().ends_with("a larger tolerance"));
+  what.do_doubles_tell = false;
+  EXPECT_THAT(unroundable_error(what).what(), Not(HasSubstr("STL")));
+  what.do_doubles_tell = true;
   what.is_on_output_grid = true;
   const Error coarse = unroundable_error(what);
   EXPECT_THAT(coarse.what(), HasSubstr("finer grid"));
