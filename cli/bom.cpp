@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -162,6 +161,11 @@ void refuse_contradictions(const BomArguments& arguments, const CommonOptions& c
   }
 }
 
+bool is_hollow_chain(const Part& part) {
+  const auto* const chain = std::get_if<CyclideChainThrough>(&part.shape);
+  return chain != nullptr && chain->wall > 0;
+}
+
 MeshVolumes mesh_volumes(Document& document, std::size_t most_triangles,
                          const CommonOptions& common) {
   const double tolerance = document_length("--tolerance", document.assembly.unit, common.tolerance,
@@ -169,6 +173,10 @@ MeshVolumes mesh_volumes(Document& document, std::size_t most_triangles,
   BuildOptions options;
   options.tolerance = tolerance;
   options.most_triangles = most_triangles;
+  // A chain that has a wall of its own is built with it, and has no regions unless asked for one.
+  if (std::ranges::any_of(document.assembly.parts, is_hollow_chain)) {
+    options.region = Region::metal;
+  }
   ProgressLine line(common.quiet);
   options.progress = line.callback();
   const Built built = build(document, options);
@@ -201,16 +209,20 @@ ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
   return report.source.source_findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
-// A positive number; what the parser itself lets pass includes infinity.
+// Osmium has 22 590.
+constexpr double kMostDensity = 1e6;
+
+// A positive number; what the parser itself lets pass includes infinity and hexadecimals.
 std::string density_fault(const std::string& typed) {
   try {
     std::size_t read = 0;
     const double value = std::stod(typed, &read);
-    return read == typed.size() && std::isfinite(value) && value > 0
+    const bool is_decimal = typed.find_first_of("xX") == std::string::npos;
+    return read == typed.size() && is_decimal && value > 0 && value <= kMostDensity
                ? ""
-               : "must be a positive number, in kg/m3";
+               : "must be a positive number of at most 1e6, in kg/m3";
   } catch (const std::exception&) {
-    return "must be a positive number, in kg/m3";
+    return "must be a positive number of at most 1e6, in kg/m3";
   }
 }
 

@@ -54,6 +54,19 @@ TEST_F(Bom, of_a_line_names_components_and_takes_off_pipe_by_the_metre) {
   }
 }
 
+// It is built with its wall, which was taken for the whole.
+TEST_F(Bom, with_a_mesh_has_the_regions_of_a_hollow_chain) {
+  folder_.write("chain.json", R"({"units": "mm", "tolerance": 0.02, "parts": [
+    {"name": "x", "cyclide_chain": {"spheres": [[0, 1.8, -2.6, 3.9], [15, 3.6, -0.6, 2.3],
+    [30, -3.6, -2.9, 3.7]], "direction": [1, 0, 0], "wall": 1}}]})");
+  const auto volumes = json({"bom", "chain.json", "--mesh"}, 0).at("mesh").at("volumes");
+  for (const std::string region : {"outer", "metal", "fluid"}) {
+    const auto report = json({"build", "chain.json", "-o", "x.off", "--region", region}, 0);
+    EXPECT_EQ(volumes.at(region), report.at("volumes").at(region)) << region;
+    EXPECT_GT(volumes.at(region), 0) << region;
+  }
+}
+
 // A branch that begins on the axis of its run: what lies in both counts once in the mesh alone.
 TEST_F(Bom, with_a_mesh_says_what_counts_twice) {
   folder_.write("tee.json", R"({"units": "mm", "tolerance": 0.01, "parts": [
@@ -94,7 +107,8 @@ TEST_F(Bom, as_csv_and_text_leaves_standard_output_to_results) {
 }
 
 TEST_F(Bom, refuses_what_makes_no_sense) {
-  for (const char* density : {"0", "-1", "nan", "inf", "1e999", "heavy", "7850kg"}) {
+  for (const char* density :
+       {"0", "-1", "nan", "inf", "1e999", "1e300", "0x10", "heavy", "7850kg"}) {
     EXPECT_EQ(dupin({"bom", example("reducer.json"), "--density", density}).exit_code, 2)
         << density;
   }
