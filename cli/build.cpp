@@ -199,7 +199,8 @@ void write_built(const Built& built, const Document& document, const BuildOption
   report.output.solver_mesh = std::move(remeshed);
 }
 
-// What is wrong with the arguments is said before anything is built.
+}  // namespace
+
 void check_destination(const BuildArguments& arguments) {
   if (!arguments.page.empty()) {
     require_page_file(arguments.page, arguments.output.path);
@@ -223,6 +224,8 @@ void check_destination(const BuildArguments& arguments) {
     throw UsageError("--solids is for STEP files");
   }
 }
+
+namespace {
 
 // Whether districts are written one after the other.
 bool is_in_districts(const BuildArguments& arguments, const Ranks& ranks) {

@@ -40,4 +40,7 @@ struct BuildArguments {
 /// Adds all options that say how a document becomes a solid, but not which document and where to.
 void add_build_options(CLI::App& command, BuildArguments& arguments);
 
+/// What is wrong with the output is said before anything is built. Throws UsageError.
+void check_destination(const BuildArguments& arguments);
+
 }  // namespace dupin::cli

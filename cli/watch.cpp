@@ -269,7 +269,7 @@ void add_watch(CLI::App& app, Action& action) {
       if (*file == "-" || output_path(arguments->output.path) == "-") {
         throw UsageError("watch needs files, not standard input or output");
       }
-      (void)destination(arguments->output);
+      check_destination(*arguments);
       const BatchItem item{*file, arguments->output.path};
       std::vector<std::string> build = arguments_for(*command, item, common);
       build.front() = "build";

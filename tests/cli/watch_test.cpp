@@ -43,6 +43,18 @@ TEST_F(Watch, builds_again_when_the_document_changes_and_goes_on_after_errors) {
   EXPECT_EQ(result.out, "3\na.json a.off err examples first out second ");
 }
 
+// As build does; it took meshes of surfaces only.
+TEST_F(Watch, writes_all_formats) {
+  for (const std::string name : {"a.pvtu", "a.ply"}) {
+    const ProcessResult result =
+        shell(kPrelude + "sphere 1; " + tool_path() + " watch a.json -o " + name +
+              " --cache kept > out 2> err & pid=$!; until_ 'grep -q written out' || exit 10; "
+              "kill -TERM $pid; wait $pid; [ -s " +
+              name + " ]");
+    EXPECT_EQ(result.exit_code, 0) << name << folder_.read("err");
+  }
+}
+
 // The document is written in place and its time set back, as by tools that copy and unpack files.
 TEST_F(Watch, sees_changes_that_leave_size_and_time_as_they_were) {
   const ProcessResult result =
