@@ -135,10 +135,12 @@ std::string why_not_tiled(const Destination& to) {
     return "there are files beside a .pvtu: it cannot be a device or a pipe";
   }
   if (!to.patches.empty()) {
-    return "--patches looks at all of a solid at once, which --tiles and --memory never have";
+    return "--patches looks at all of a solid at once, which --tiles, --memory and .pvtu never "
+           "have";
   }
   if (to.verification != Verification::compare) {
-    return "with --tiles, --memory and --cache, files are compared as they are written; --verify "
+    return "with --tiles, --memory, --cache and .pvtu, files are compared as they are written; "
+           "--verify "
            "full is what the command check does";
   }
   return {};

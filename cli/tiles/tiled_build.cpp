@@ -32,6 +32,7 @@
 #include "tiles/district_result.h"
 #include "tiles/seam_check.h"
 #include "tiles/shared_tile.h"
+#include "tiles/tile_memory.h"
 
 namespace dupin::cli {
 namespace {
@@ -106,28 +107,54 @@ class TiledBuild {
   void refuse_too_costly() const { plan_.refuse_too_costly(); }
 
   // All ranks do this, and what follows, and come to the same.
+  void prepare(const TileArguments& arguments) {
+    const bool is_bounded = !arguments.memory.empty();
+    if (ranks_.count() > 1 || is_bounded) {
+      triangles_ = expected_triangles();
+    }
+    if (is_bounded) {
+      memory_ = TileMemory(bytes_in(arguments.memory, "--memory"), expected_bytes(),
+                           assembly_.source, kCoarser);
+    }
+    divide(arguments);
+  }
+
+  // Nothing where pieces do not fit, which misfits() tells.
+  std::optional<TiledBuilt> run(const MeshHeader& header, const TileArguments& arguments) {
+    while (true) {
+      auto built = attempt(header);
+      if (!is_short_) {
+        return built;
+      }
+      seams_ = SeamCheck(plan_.seams());
+      divide(arguments);
+    }
+  }
+
+  // Names of seams.
+  [[nodiscard]] const std::set<std::string>& misfits() { return seams_.misfits(); }
+
+ private:
+  static constexpr const char* kCoarser = ", or a coarser tolerance";
+
   void divide(const TileArguments& arguments) {
-    const bool is_shared = ranks_.count() > 1, is_bounded = !arguments.memory.empty();
-    const std::vector<double> triangles =
-        is_shared || is_bounded ? expected_triangles() : std::vector<double>();
-    const std::vector<double> bytes = is_bounded ? expected_bytes(triangles) : triangles;
     ends_ = alike(ranks_, [&] {
       return ends_of_tiles(arguments, {.districts = boxes_,
-                                       .triangles = triangles,
-                                       .bytes = bytes,
+                                       .triangles = triangles_,
+                                       .bytes = memory_.bytes(),
                                        .processes = ranks_.count(),
                                        .source = assembly_.source,
-                                       .remedy = ", or a coarser tolerance"});
+                                       .remedy = kCoarser});
     });
-    if (is_shared) {
-      owners_ = shared_out(triangles, ends_, ranks_.count());
+    memory_.divide(ends_);
+    if (ranks_.count() > 1) {
+      owners_ = shared_out(triangles_, ends_, ranks_.count());
     } else {
       owners_.resize(plan_.size(), 0);
     }
   }
 
-  // Nothing where pieces do not fit, which misfits() tells.
-  std::optional<TiledBuilt> run(const MeshHeader& header) {
+  std::optional<TiledBuilt> attempt(const MeshHeader& header) {
     DistrictFile file(to_, places_.by_district(), &ranks_);
     std::vector<Built> built;
     std::size_t begin = 0, tiles = 0, shells = 0;
@@ -136,7 +163,11 @@ class TiledBuild {
       const auto owners = std::span(owners_).subspan(begin, end - begin);
       const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
       share_tile(owners, ranks_,
-                 {.made = [&](std::size_t i) { return result(begin + i); },
+                 {.made =
+                      [&](std::size_t i) {
+                        return result(begin + i).value_or(
+                            DistrictResult{{}, unfit_output(seams_.of(begin + i).size())});
+                      },
                   .parts = [&](std::size_t i) { return plan_.parts(begin + i); },
                   .taken =
                       [&](std::size_t i, DistrictResult district) {
@@ -149,7 +180,8 @@ class TiledBuild {
       begin = end;
       ++tiles;
     }
-    if (!misfits().empty()) {
+    is_short_ = memory_.is_short(ranks_, owners_);
+    if (is_short_ || !misfits().empty()) {
       file.abandon();
       return std::nullopt;
     }
@@ -166,10 +198,6 @@ class TiledBuild {
     return TiledBuilt{std::move(all), std::move(report), {}};
   }
 
-  // Names of seams.
-  [[nodiscard]] const std::set<std::string>& misfits() { return seams_.misfits(); }
-
- private:
   // Resolves every district, which takes its time; ranks share that.
   [[nodiscard]] std::vector<double> expected_triangles() const {
     std::vector<double> triangles(plan_.size());
@@ -182,11 +210,12 @@ class TiledBuild {
     return triangles;
   }
 
-  [[nodiscard]] std::vector<double> expected_bytes(std::vector<double> triangles) const {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      triangles[i] *= is_of_two(i) ? kBytesPerTriangleOfTwo : kBytesPerTriangle;
+  [[nodiscard]] std::vector<double> expected_bytes() const {
+    std::vector<double> bytes = triangles_;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] *= is_of_two(i) ? kBytesPerTriangleOfTwo : kBytesPerTriangle;
     }
-    return triangles;
+    return bytes;
   }
 
   // Whether one solid is taken from another: bores, or what is insulated.
@@ -197,8 +226,8 @@ class TiledBuild {
            });
   }
 
-  // Made, or as it was kept.
-  [[nodiscard]] DistrictResult result(std::size_t district) const {
+  // Made, or as it was kept; nothing where there is no memory for it.
+  [[nodiscard]] std::optional<DistrictResult> result(std::size_t district) {
     if (cache_ == nullptr) {
       return made(district);
     }
@@ -216,8 +245,10 @@ class TiledBuild {
         return *std::move(kept);
       }
     }
-    DistrictResult result = made(district);
-    cache_->keep(key, bytes_of(result, parts));
+    std::optional<DistrictResult> result = made(district);
+    if (result) {
+      cache_->keep(key, bytes_of(*result, parts));
+    }
     return result;
   }
 
@@ -231,13 +262,15 @@ class TiledBuild {
     }
   }
 
-  [[nodiscard]] DistrictResult made(std::size_t district) const {
-    DistrictResult result;
-    result.built = plan_.build(district);
-    result.output = district_output(result.built.solid, boxes_, district, places_, to_, rounding_,
-                                    contacts_, seams_.of(district));
-    result.built.solid = Solid();
-    return result;
+  [[nodiscard]] std::optional<DistrictResult> made(std::size_t district) {
+    return memory_.within(district, boxes_[district], [&](std::uint64_t limit) {
+      DistrictResult result;
+      result.built = plan_.build(district, {}, limit);
+      result.output = district_output(result.built.solid, boxes_, district, places_, to_, rounding_,
+                                      contacts_, seams_.of(district));
+      result.built.solid = Solid();
+      return result;
+    });
   }
 
   const Ranks& ranks_;
@@ -255,6 +288,9 @@ class TiledBuild {
   const DistrictCache* cache_;
   std::uint64_t cache_size_;
   std::string options_text_;
+  std::vector<double> triangles_;  // expected of districts, where that is asked for
+  TileMemory memory_;
+  bool is_short_ = false;            // an attempt was, somewhere
   std::vector<std::size_t> ends_;    // of tiles, behind their last districts
   std::vector<std::size_t> owners_;  // the ranks that make districts
 };
@@ -296,16 +332,16 @@ void check_tiled(const BuildArguments& arguments) {
   (void)cache_size(arguments.tiles);
   if (!arguments.page.empty() || arguments.quality == kForSolvers) {
     throw UsageError(
-        "--report and --quality cfd look at all of a solid at once, which --tiles and --memory "
-        "never have");
+        "--report and --quality cfd look at all of a solid at once, which --tiles, --memory and "
+        ".pvtu never have");
   }
   if (!arguments.cross_check.empty()) {
-    throw UsageError("--cross-check is not for --tiles, --memory, --cache and mpirun");
+    throw UsageError("--cross-check is not for --tiles, --memory, --cache, .pvtu and mpirun");
   }
   if (arguments.source.keep_going) {
     throw UsageError(
         "--keep-going builds all of a document again where a part is refused, which "
-        "--tiles and --memory do not");
+        "--tiles, --memory and .pvtu do not");
   }
 }
 
@@ -327,8 +363,8 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
       }
       return made;
     });
-    build->divide(arguments.tiles);
-    auto built = build->run(header);
+    build->prepare(arguments.tiles);
+    auto built = build->run(header, arguments.tiles);
     // All ranks, and builds in any number of tiles, find the same ones.
     own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
     return built;

@@ -19,6 +19,7 @@
 #include "tiles/operand_pieces.h"
 #include "tiles/seam_check.h"
 #include "tiles/shared_tile.h"
+#include "tiles/tile_memory.h"
 
 namespace dupin::cli {
 namespace {
@@ -131,49 +132,22 @@ class UnionInTiles {
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
         repairs_(task.files.size()),
         first_of_(first_districts()) {
-    const std::vector<double>& triangles = districts_.triangles;
-    std::vector<double> bytes;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      bytes.push_back(kBytesPerTriangle * (triangles[i] + largest_that_is_cut(i)));
-    }
-    ends_ = ends_of_tiles(task.tiles, {.districts = districts_.boxes,
-                                       .triangles = triangles,
-                                       .bytes = bytes,
-                                       .processes = ranks.count(),
-                                       .source = "operands"});
-    owners_ = shared_out(triangles, ends_, ranks.count());
     if (!task.tiles.memory.empty()) {
-      limit_memory(bytes);
+      memory_ = TileMemory(bytes_in(task.tiles.memory, "--memory"), expected_bytes(), kSource);
     }
+    divide();
   }
 
   // Nothing where pieces do not fit: at cuts of misfits().
   std::optional<OutputReport> run() {
-    DistrictFile file(task_.to, places_.by_district(), &ranks_);
-    std::size_t begin = 0, shells = 0;
-    for (const std::size_t end : ends_) {
-      tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
-      share_tile(std::span(owners_).subspan(begin, end - begin), ranks_,
-                 {.made = [&](std::size_t i) { return made(begin + i); },
-                  .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
-                  .taken =
-                      [&](std::size_t i, DistrictResult district) {
-                        seams_.add(begin + i, std::move(district.output.sides), shells);
-                        shells += district.output.report.check->shells.size();
-                        file.append(std::move(district.output));
-                      }});
-      begin = end;
+    while (true) {
+      auto report = attempt();
+      if (!is_short_) {
+        return report;
+      }
+      seams_ = SeamCheck(districts_.seams);
+      alike(ranks_, [&] { divide(); });
     }
-    if (!seams_.misfits().empty()) {
-      file.abandon();
-      return std::nullopt;
-    }
-    alike(ranks_, [&] { file.require_something(rounding_); });
-    OutputReport report = file.commit({files_.unit, {}});
-    seams_.join(*report.check);
-    learn_repairs();
-    report.repairs = repairs_in(task_.files, repairs_);
-    return report;
   }
 
   // Operands that were cut where pieces do not fit.
@@ -191,6 +165,55 @@ class UnionInTiles {
   }
 
  private:
+  static constexpr const char* kSource = "operands";
+
+  [[nodiscard]] std::vector<double> expected_bytes() const {
+    std::vector<double> bytes = districts_.triangles;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] = kBytesPerTriangle * (bytes[i] + largest_that_is_cut(i));
+    }
+    return bytes;
+  }
+
+  void divide() {
+    ends_ = ends_of_tiles(task_.tiles, {.districts = districts_.boxes,
+                                        .triangles = districts_.triangles,
+                                        .bytes = memory_.bytes(),
+                                        .processes = ranks_.count(),
+                                        .source = kSource});
+    memory_.divide(ends_);
+    owners_ = shared_out(districts_.triangles, ends_, ranks_.count());
+  }
+
+  std::optional<OutputReport> attempt() {
+    DistrictFile file(task_.to, places_.by_district(), &ranks_);
+    std::size_t begin = 0, shells = 0;
+    for (const std::size_t end : ends_) {
+      tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
+      share_tile(std::span(owners_).subspan(begin, end - begin), ranks_,
+                 {.made = [&](std::size_t i) { return made(begin + i); },
+                  .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
+                  .taken =
+                      [&](std::size_t i, DistrictResult district) {
+                        seams_.add(begin + i, std::move(district.output.sides), shells);
+                        shells += district.output.report.check->shells.size();
+                        file.append(std::move(district.output));
+                      }});
+      begin = end;
+    }
+    is_short_ = memory_.is_short(ranks_, owners_);
+    if (is_short_ || !seams_.misfits().empty()) {
+      file.abandon();
+      return std::nullopt;
+    }
+    alike(ranks_, [&] { file.require_something(rounding_); });
+    OutputReport report = file.commit({files_.unit, {}});
+    seams_.join(*report.check);
+    learn_repairs();
+    report.repairs = repairs_in(task_.files, repairs_);
+    return report;
+  }
+
   // One operand at a time is there as a whole while it is cut.
   [[nodiscard]] double largest_that_is_cut(std::size_t district) const {
     double largest = 0;
@@ -218,18 +241,20 @@ class UnionInTiles {
     for (const OperandStretch& stretch : districts_.stretches[district]) {
       auto own = solid_of(stretch, district);
       if (!own) {
-        DistrictResult unfit;
-        unfit.output = unfit_output(seams.size());
-        return unfit;
+        return {{}, unfit_output(seams.size())};
       }
       operands.push_back(*std::move(own));
     }
-    const Solid solid = united(operands, district);
-    operands.clear();
-    DistrictResult result;
-    result.output = district_output(solid, districts_.boxes, district, places_, task_.to, rounding_,
-                                    task_.contacts, seams);
-    return result;
+    // Crossings are counted when they are found, before what they come to is made.
+    auto united = memory_.within(district, districts_.boxes[district], [&](std::uint64_t limit) {
+      const Solid solid = unite(operands, {task_.contacts.policy(), {}, limit});
+      operands.clear();
+      DistrictResult result;
+      result.output = district_output(solid, districts_.boxes, district, places_, task_.to,
+                                      rounding_, task_.contacts, seams);
+      return result;
+    });
+    return std::move(united).value_or(DistrictResult{{}, unfit_output(seams.size())});
   }
 
   // Of stretches of one operand, the first one's district notes what was mended.
@@ -261,37 +286,6 @@ class UnionInTiles {
     }
   }
 
-  // Crossings are counted when they are found, before what they come to is made.
-  [[nodiscard]] Solid united(std::span<const Solid> operands, std::size_t district) const {
-    const std::uint64_t limit = limits_.empty() ? 0 : limits_[district];
-    try {
-      return unite(operands, {task_.contacts.policy(), {}, limit});
-    } catch (const Error& error) {
-      if (error.code() != Errc::limit_exceeded || limit == 0) {
-        throw;
-      }
-      const Vec3 place = bounds_of(std::span(districts_.boxes).subspan(district, 1)).center();
-      throw Error(Errc::limit_exceeded,
-                  "what hangs together at " + decimal(place) + ": " + error.message() +
-                      "; give --memory more",
-                  {}, "operands");
-    }
-  }
-
-  // Of what may be taken, each district has what all others of its tile leave.
-  void limit_memory(const std::vector<double>& bytes) {
-    const auto all = static_cast<double>(bytes_in(task_.tiles.memory, "--memory"));
-    std::size_t begin = 0;
-    for (const std::size_t end : ends_) {
-      const std::span<const double> own = std::span(bytes).subspan(begin, end - begin);
-      const double expected = std::accumulate(own.begin(), own.end(), 0.0);
-      for (const double one : own) {
-        limits_.push_back(static_cast<std::uint64_t>(all - (expected - one)));
-      }
-      begin = end;
-    }
-  }
-
   // Of what others have mended.
   void learn_repairs() {
     take_from_owners(ranks_, repairs_, [&](std::size_t i) {
@@ -308,9 +302,10 @@ class UnionInTiles {
   RoundingOptions rounding_;
   std::vector<RepairReport> repairs_;  // per operand
   std::vector<std::size_t> first_of_;  // likewise: the first district that has some of it
-  std::vector<std::uint64_t> limits_;  // of districts, in bytes; none where memory is not limited
-  std::vector<std::size_t> ends_;      // of tiles, behind their last districts
-  std::vector<std::size_t> owners_;    // the ranks that make districts
+  TileMemory memory_;
+  bool is_short_ = false;            // an attempt was, somewhere
+  std::vector<std::size_t> ends_;    // of tiles, behind their last districts
+  std::vector<std::size_t> owners_;  // the ranks that make districts
 };
 
 }  // namespace

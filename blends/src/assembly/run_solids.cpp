@@ -128,7 +128,9 @@ class RunMesher {
       }
       (is_cavity ? cavities : solids).push_back(Solid::from(shell));
     }
-    return cavities.empty() ? solids : std::vector{subtract(unite(solids), cavities)};
+    const BooleanOptions limited{.memory_limit = options_.memory_limit};
+    return cavities.empty() ? solids
+                            : std::vector{subtract(unite(solids, limited), cavities, limited)};
   }
 
   // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until

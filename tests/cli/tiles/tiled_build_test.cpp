@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -288,6 +289,45 @@ TEST_F(TiledBuild, refuses_crossings_that_do_not_fit_into_memory) {
     EXPECT_GT(expected, .9 * made);
     EXPECT_LT(expected, (more.empty() ? 2 : 4) * made);
   }
+}
+
+// Elbows that nearly coincide: each triangle meets some of the other's, which boxes do not tell.
+TEST_F(TiledBuild, counts_crossings_when_they_are_found) {
+  std::string parts;
+  for (int i = 0; i < 2; ++i) {
+    const double angle = 0.0065 * i, x = std::cos(angle), y = std::sin(angle);
+    const auto point = [&](double a, double b) {
+      return "[" + std::to_string(100 * (a * x - b * y)) + ", " +
+             std::to_string(100 * (a * y + b * x)) + ", " + std::to_string(0.0003 * i) + "]";
+    };
+    parts += R"({"name": "elbow)" + std::to_string(i) + R"(", "elbow": {"from": )" + point(1, 0) +
+             R"(, "corner": )" + point(1, 1) + R"(, "to": )" + point(0, 1) + R"(, "radius": 20}},)";
+  }
+  for (int i = 0; i < 9; ++i) {
+    parts += R"({"name": "pipe)" + std::to_string(i) + R"(", "pipe": {"from": [0, 0, )" +
+             std::to_string(1000 + 100 * i) + R"(], "direction": [1, 0, 0], "length": 9, )" +
+             R"("radius": 30}})" + (i < 8 ? "," : "");
+  }
+  folder_.write("elbows.json", R"({"units": "mm", "tolerance": 0.05, "parts": [)" + parts + "]}");
+  const std::vector<std::string> build{"build", "elbows.json", "-o", "out.stl"};
+  const auto with = [&](const std::string& memory) {
+    std::vector<std::string> all = build;
+    all.insert(all.end(), {"--memory", memory});
+    return dupin(all);
+  };
+  const ProcessResult refused = with("20MB");
+  EXPECT_EQ(refused.exit_code, 3) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("pairs meet, would need about "));
+  EXPECT_THAT(refused.err, HasSubstr("allowed are 20 MB; give --memory more, or a coarser"));
+  EXPECT_EQ(folder_.files(), std::vector<std::string>{"elbows.json"});
+  // What it asks for does, whatever shares its tile at first.
+  const std::string said = "would need about ";
+  std::string memory = refused.err.substr(refused.err.find(said) + said.size());
+  memory = memory.substr(0, memory.find(" MB")) + "MB";
+  ASSERT_EQ(with(memory).exit_code, 0) << memory;
+  const std::string made = folder_.read("out.stl");
+  ASSERT_EQ(dupin(build).exit_code, 0);
+  EXPECT_TRUE(folder_.read("out.stl") == made);
 }
 
 // Not only for the first one that does not fit.

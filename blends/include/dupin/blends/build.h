@@ -41,6 +41,7 @@ struct BuildOptions {
   /// 400 bytes for each. 50 million are the most for one part.
   std::size_t most_triangles = kUsualTriangles;
   ContactPolicy contacts = ContactPolicy::report;
+  std::uint64_t memory_limit = 0;               ///< of each boolean operation; see BooleanOptions
   std::optional<CrossCheckEngine> cross_check;  ///< to check the union of the pieces by
   Progress progress;                            ///< may be empty
   std::optional<Region> region;  ///< none: metal of an assembly that has walls, else outer
@@ -127,8 +128,7 @@ class DistrictBuild {
   DistrictBuild& operator=(const DistrictBuild&) = default;
 
   [[nodiscard]] std::size_t size() const;
-  /// About each district.
-  [[nodiscard]] std::vector<Boxes> boxes() const;
+  [[nodiscard]] std::vector<Boxes> boxes() const;  ///< about each district
   /// Where districts are pieces that are joined again: a solid of one has discs there.
   [[nodiscard]] const std::vector<Seam>& seams() const;
   /// What a piece takes from the whole, as text; empty for what is no piece.
@@ -143,12 +143,12 @@ class DistrictBuild {
   /// Throws Error{limit_exceeded} for more triangles in all than BuildOptions::most_triangles.
   void refuse_too_costly() const;
   /// What is made of one district, as if there were no others; without ports and gaps. Threads may
-  /// build several at a time.
-  [[nodiscard]] Built build(std::size_t district, const Progress& progress = {}) const;
+  /// build several at a time. `memory_limit` is that of this one, unless it is 0.
+  [[nodiscard]] Built build(std::size_t district, const Progress& progress = {},
+                            std::uint64_t memory_limit = 0) const;
   /// What `build` gives for the assembly; districts are built side by side. There are no seams.
   [[nodiscard]] Built build_all(const Progress& progress = {}) const;
-  /// The same, of what it gave for all districts in order, whose solids
-  /// may have been taken away, and where there are seams are.
+  /// The same, of what it gave for all districts in order, whose solids may be gone.
   [[nodiscard]] Built joined(std::vector<Built> districts) const;
 
  private:

@@ -303,10 +303,12 @@ double DistrictBuild::expected_triangles(std::size_t district) const {
   return assembly::expected_triangles(own, plan_->options.region);
 }
 
-Built DistrictBuild::build(std::size_t district, const Progress& progress) const {
+Built DistrictBuild::build(std::size_t district, const Progress& progress,
+                           std::uint64_t memory_limit) const {
   const UsualArithmetic usual;
   BuildOptions options = plan_->options;
   options.progress = progress;
+  options.memory_limit = memory_limit > 0 ? memory_limit : options.memory_limit;
   return assembly::built_district(
       assembly::district(plan_->assembly, plan_->of_districts(), plan_->district(district)),
       options);

@@ -92,7 +92,7 @@ class Builder {
       }
     }
     const Solid whole = outer(inside), covered = united(around.resolved, second(around), rings);
-    built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
+    built_.solid = subtract(covered, {&whole, 1}, of_booleans());
     built_.insulation = built_.solid.volume();
     cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
   }
@@ -132,9 +132,12 @@ class Builder {
     return result;
   }
 
+  [[nodiscard]] BooleanOptions of_booleans() const {
+    return {options_.contacts, options_.progress, options_.memory_limit};
+  }
+
   [[nodiscard]] Solid united(std::span<const Solid> solids) const {
-    return solids.size() == 1 ? solids.front()
-                              : unite(solids, {options_.contacts, options_.progress});
+    return solids.size() == 1 ? solids.front() : unite(solids, of_booleans());
   }
 
   void cross_check(const Solid& result, SetOperation operation, std::span<const Solid> operands) {
@@ -249,9 +252,10 @@ class Builder {
     std::set<std::string> open = exposed_names(whole);
     std::erase_if(open, [names = seam_names()](const auto& end) { return names.contains(end); });
     assembly::lengthen_out_of(bore, assembly_, resolved_, walls, open);
-    const Solid filling = subtract(united(bore.resolved, second(bore)), {{united(solid_parts)}});
+    const Solid filling = subtract(united(bore.resolved, second(bore)), {{united(solid_parts)}},
+                                   {.memory_limit = options_.memory_limit});
     const std::array<Solid, 2> both{whole, filling};
-    const BooleanOptions options{options_.contacts, options_.progress};
+    const BooleanOptions options = of_booleans();
     const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
     refuse_broken_walls(fluid);
     warn_of_blind_ends(fluid);
