@@ -1,5 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
+
 #include "dupin/blends/cyclic_blend.h"
 
 namespace dupin::ringed {
@@ -13,9 +17,15 @@ struct EndRadii {
 [[nodiscard]] RadiusLaw blend_radius(const EndRadii& radii, const Spine& spine,
                                      const CyclicBlendOptions& options);
 
+/// What is wrong with a blend whose end speeds are to be proposed, in words that follow "the
+/// blend"; none where nothing is.
+using BlendFault = std::function<std::optional<std::string>(const RingedSurface&)>;
+
 /// cyclic_blend, where a circle about an elliptic end stands for it: with the larger semi-axis and
-/// the larger slope, so that its discs hold those between the ellipses.
+/// the larger slope, so that its discs hold those between the ellipses. Speeds are proposed with
+/// which it has none of these faults, either, or the fault is named.
 [[nodiscard]] RingedSurface surrounding_blend(const Ring& from, const Ring& to,
-                                              const CyclicBlendOptions& options);
+                                              const CyclicBlendOptions& options,
+                                              const BlendFault& also = {});
 
 }  // namespace dupin::ringed

@@ -4,18 +4,20 @@
 #include <cmath>
 #include <limits>
 #include <string>
-
-#include <Eigen/Geometry>
+#include <utility>
 
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "numbers/quadrature.h"
+#include "ringed/blend_crossing.h"
 #include "ringed/blend_search.h"
 #include "ringed/blend_shape.h"
 
 namespace dupin {
 namespace {
+
+using ringed::BlendFault;
 
 // How tightly chosen speeds are certified; the search aims this much above the asked margin.
 constexpr double kCertificateWidth = 1e-8;
@@ -154,54 +156,39 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
   return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
 }
 
-struct Disc {
-  Vec3 center, normal;
-  double radius = 0;
+// Speeds for a remedy, and what is wrong with them beside the margin, if anything.
+struct Proposal {
+  BlendChoice choice;
+  std::optional<std::string> fault;
 };
 
-// Along the line that their planes share.
-bool meet(const Disc& a, const Disc& b) {
-  const Vec3 line = a.normal.cross(b.normal), way = b.center - a.center;
-  const double turn = line.norm();
-  const auto half_chord = [turn](const Disc& disc, double offset) {
-    return std::sqrt(disc.radius * disc.radius - offset * offset / (turn * turn));
-  };
-  const double chords = half_chord(a, b.normal.dot(way)) + half_chord(b, a.normal.dot(way));
-  return std::abs(line.dot(way)) <= turn * chords;  // false for what is no number
-}
-
-// By samples, for what is proposed only: a loop may have the margin and cross itself.
-bool crosses_itself(const RingedSurface& surface, double margin) {
-  constexpr int kSamples = 128;
-  std::vector<Disc> discs;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = double(i) / kSamples;
-    const SpinePoint point = evaluate(surface.spine, t);
-    discs.push_back({point.position, point.first.normalized(),
-                     (1 + margin / 2) * evaluate(surface.radius, t).value});
-    if (std::any_of(discs.begin(), discs.end() - 1,
-                    [&](const Disc& other) { return meet(other, discs.back()); })) {
-      return true;
-    }
-  }
-  return false;
+Proposal proposal(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                  const BlendChoice& choice, const BlendFault& fault_of) {
+  return {choice, fault_of(assembled(from, to, options, choice.k, choice.l))};
 }
 
 // For a remedy: as near as can be to the speeds wanted, or to ever larger ones, loops not excluded.
-std::optional<BlendChoice> further_choice(const Ring& from, const Ring& to,
-                                          const CyclicBlendOptions& options, double k, double l) {
+// Where all that were found have a fault, one that is not of the blend alone.
+std::optional<Proposal> further_choice(const Ring& from, const Ring& to,
+                                       const CyclicBlendOptions& options, double k, double l,
+                                       const BlendFault& fault_of) {
   const ringed::BlendSearch blends = search(from, to, options, ringed::kAllSpeeds);
+  std::optional<Proposal> best;
   for (double factor = 1; factor <= 16; factor *= 1.5) {
     const auto found = certified_choice(
         from, to, options, [&](double aim) { return blends.nearest(aim, factor * k, factor * l); });
     if (!found) {
-      return std::nullopt;
+      break;
     }
-    if (!crosses_itself(assembled(from, to, options, found->k, found->l), options.margin)) {
-      return found;
+    Proposal next = proposal(from, to, options, *found, fault_of);
+    if (!next.fault) {
+      return next;
+    }
+    if (!best && *next.fault != ringed::kCrossesItself) {
+      best = std::move(next);
     }
   }
-  return std::nullopt;
+  return best;
 }
 
 // None if all spines stop.
@@ -248,24 +235,29 @@ std::string near_text() {
 
 // Where none of the near speeds is enough.
 std::string further_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
-                         const std::optional<BlendChoice>& further) {
+                         const std::optional<Proposal>& further) {
   if (!further) {
     return "nor were any found that do, and do not cross themselves, of up to " +
            decimal(ringed::kAllSpeeds.longest, 4) +
            " times the distance, with a spine of any length";
   }
-  return speeds_text(from, to, options, *further, options.margin) +
-         " has enough, with a spine that is " + decimal(further->length, 4) + " long";
+  const std::string speeds = speeds_text(from, to, options, further->choice, options.margin),
+                    spine =
+                        ", with a spine that is " + decimal(further->choice.length, 4) + " long";
+  return further->fault ? speeds + " has enough for the blend alone" + spine + ", but the blend " +
+                              *further->fault
+                        : speeds + " has enough" + spine +
+                              "; whether the blend with it meets other parts was not looked at";
 }
 
 [[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
-                                    const CyclicBlendOptions& options) {
+                                    const CyclicBlendOptions& options, const BlendFault& fault_of) {
   const auto widest = widest_choice(from, to, options, search(from, to, options));
   const double distance = (to.center - from.center).norm();
   CyclicBlendOptions any = options;
   any.k = any.l = std::nullopt;
-  const auto further =
-      further_choice(from, to, any, options.k.value_or(distance), options.l.value_or(distance));
+  const auto further = further_choice(from, to, any, options.k.value_or(distance),
+                                      options.l.value_or(distance), fault_of);
   const auto given = [](const char* name, const std::optional<double>& speed) {
     return speed ? " with " + (name + decimal(*speed, kMessageDigits)) : "";
   };
@@ -281,22 +273,27 @@ std::string further_text(const Ring& from, const Ring& to, const CyclicBlendOpti
 }
 
 std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
-                   const BlendAdvice& advice) {
+                   const BlendAdvice& advice, const BlendFault& fault_of) {
+  CyclicBlendOptions any = options;
+  any.k = any.l = std::nullopt;
+  const auto further = [&] {
+    return "; " + further_text(from, to, options,
+                               further_choice(from, to, any, *options.k, *options.l, fault_of));
+  };
   std::string widest;
   if (advice.widest) {
     widest = "the largest margin, " + decimal(advice.widest->margin, 4) + ", has " +
              widest_text(from, to, options, *advice.widest);
   }
   if (!advice.nearest) {
-    CyclicBlendOptions any = options;
-    any.k = any.l = std::nullopt;
     return "no end speeds that work were found of " + near_text() +
-           (widest.empty() ? "" : "; of these, " + widest) + "; " +
-           further_text(from, to, options, further_choice(from, to, any, *options.k, *options.l));
+           (widest.empty() ? "" : "; of these, " + widest) + further();
   }
+  const Proposal nearest = proposal(from, to, any, *advice.nearest, fault_of);
   return widest + "; nearest to those given, " +
-         speeds_text(from, to, options, *advice.nearest, options.margin) +
-         " has enough, of end speeds of " + near_text();
+         speeds_text(from, to, options, nearest.choice, options.margin) + " has enough, of end " +
+         "speeds of " + near_text() +
+         (nearest.fault ? ", but the blend with it " + *nearest.fault + further() : "");
 }
 
 // Sampled where the margin is missed, for the message: what is proven is the interval.
@@ -315,10 +312,10 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
 }
 
 [[noreturn]] void refuse(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
-                         const RingedSurface& surface) {
+                         const RingedSurface& surface, const BlendFault& fault_of) {
   const Regularity found = regularity(surface);
   const BlendAdvice advice = blend_advice(from, to, options);
-  const std::string help = "; " + remedy(from, to, options, advice);
+  const std::string help = "; " + remedy(from, to, options, advice, fault_of);
   const std::string speeds =
       "k = " + decimal(*options.k, kMessageDigits) + ", l = " + decimal(*options.l, kMessageDigits);
   if (!(smallest_radius(surface.radius) > 0)) {
@@ -341,6 +338,13 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
               {}, "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]");
 }
 
+BlendFault fault_of_crossing(const CyclicBlendOptions& options, const BlendFault& also) {
+  return [margin = options.margin, also](const RingedSurface& blend) {
+    std::optional<std::string> fault = ringed::crossing(blend, margin);
+    return fault || !also ? fault : also(blend);
+  };
+}
+
 }  // namespace
 
 namespace ringed {
@@ -355,16 +359,19 @@ RadiusLaw blend_radius(const EndRadii& radii, const Spine& spine,
                     int(bezier->points.size()) - 1);
 }
 
-RingedSurface surrounding_blend(const Ring& from, const Ring& to,
-                                const CyclicBlendOptions& options) {
+RingedSurface surrounding_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                                const BlendFault& also) {
   validate(from, to, options);
   if (!options.k || !options.l) {
-    const BlendChoice choice = choose_velocities(from, to, options);
-    return assembled(from, to, options, choice.k, choice.l);
+    const auto choice = feasible_choice(from, to, options);
+    if (!choice) {
+      refuse_infeasible(from, to, options, fault_of_crossing(options, also));
+    }
+    return assembled(from, to, options, choice->k, choice->l);
   }
   RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
   if (!is_valid(surface, options.margin)) {
-    refuse(from, to, options, surface);
+    refuse(from, to, options, surface, fault_of_crossing(options, also));
   }
   return surface;
 }
@@ -383,7 +390,7 @@ BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlen
   if (const auto choice = feasible_choice(from, to, options)) {
     return *choice;
   }
-  refuse_infeasible(from, to, options);
+  refuse_infeasible(from, to, options, fault_of_crossing(options, {}));
 }
 
 BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
@@ -391,7 +398,7 @@ BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlen
   if (const auto widest = widest_choice(from, to, options, search(from, to, options))) {
     return *widest;
   }
-  refuse_infeasible(from, to, options);
+  refuse_infeasible(from, to, options, fault_of_crossing(options, {}));
 }
 
 BlendAdvice blend_advice(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {

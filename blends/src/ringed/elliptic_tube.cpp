@@ -9,7 +9,6 @@
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/error.h"
 #include "numbers/quadrature.h"
-#include "ringed/blend_shape.h"
 #include "ringed/second_derivatives.h"
 
 namespace dupin {
@@ -139,16 +138,6 @@ EllipticTube elliptic_tube(const Ring& start, const Ring& end, const Spine& spin
     }
   }
   return tube;
-}
-
-EllipticTube elliptic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
-  const RingedSurface about = ringed::surrounding_blend(from, to, options);
-  const auto law = [&](double r0, double slope0, double r1, double slope1) {
-    return ringed::blend_radius({r0, slope0, r1, slope1}, about.spine, options);
-  };
-  return elliptic_tube(
-      flipped(from), flipped(to), about.spine, law(from.radius, from.slope, to.radius, to.slope),
-      law(across(from), across_slope(from), across(to), across_slope(to)), options.continuity);
 }
 
 }  // namespace dupin

@@ -104,6 +104,22 @@ TEST(CyclicBlend, proposes_speeds_far_away_where_none_near_work) {
   }
 }
 
+// Where b lies in the way of what leaves a, whatever goes there passes through b: what was proposed
+// did.
+TEST(CyclicBlend, proposes_no_speeds_that_lead_through_its_neighbours) {
+  const Ring from{Vec3(0, 0, 0), Vec3::UnitX(), 10.48};
+  const Ring to{Vec3(23.922648905970075, 9.786736034982507, 8.113453914430274),
+                Vec3(0.5822741603478443, 0.040924235167710155, 0.3391737898709435).normalized(),
+                6.89};
+  const Error error = error_of(
+      [&] { (void)cyclic_blend(from, to, {.radius_law = BlendLaw::r2, .k = 74.10867458264303}); });
+  EXPECT_EQ(error.code(), Errc::infeasible_blend);
+  const std::string& message = error.message();
+  EXPECT_THAT(message, Not(HasSubstr(" has enough, with")));
+  EXPECT_THAT(message, testing::AnyOf(HasSubstr("has enough for the blend alone, with a spine "),
+                                      HasSubstr("nor were any found")));
+}
+
 TEST(CyclicBlend, proposes_speeds_that_work) {
   const Error error = error_of([] { (void)cyclic_blend(kInlet, kOutlet, {.k = 18, .l = 25}); });
   EXPECT_THAT(error.message(), HasSubstr("0.3696 short of 0.05"));
