@@ -139,12 +139,13 @@ class Router {
         spot.distance > kTouching * size_
             ? "comes within " + decimal(spot.distance, kMessageDigits) + " of it"
             : "runs into it";
-    throw Error(Errc::infeasible_blend,
-                "no way was found that keeps " + decimal(clearance_, kMessageDigits) + " from '" +
-                    obstacles_[spot.obstacle].name + "' and the other obstacles: the best of " +
-                    std::to_string(trials_) + " " + how + " at " + decimal(spot.place) +
-                    "; ask for less clearance, move what is in the way, or lead it round by points "
-                    "of its own in \"through\"");
+    throw Error(
+        Errc::infeasible_blend,
+        "no way was found that keeps " + decimal(clearance_, kMessageDigits) + " from '" +
+            obstacles_[spot.obstacle].name + "' and the other obstacles: the best of " +
+            std::to_string(trials_) + " " + how + " at " + decimal(spot.place) +
+            "; ask for less clearance, move what is in the way, or lead it round as a spline "
+            "with points of its own in \"through\"");
   }
 
   // All ways begin and end with the ports' own discs.

@@ -27,6 +27,29 @@ TEST(KeptClear, a_cyclic_blend_that_comes_too_near_becomes_a_spline) {
   EXPECT_EQ(std::get<CyclicBlendBetween>(again.parts[2].shape).avoid->clearance, 1);
 }
 
+// A document whose blend has no points.
+TEST(KeptClear, a_cyclic_blend_proposes_no_speeds_that_lead_into_what_it_avoids) {
+  const auto blend = [](const std::string& k, const std::string& l) {
+    return refusal(R"({"units": "mm", "tolerance": 0.05, "wall": 1.85, "parts": [
+      {"name": "a", "pipe": {"from": [-20, 0, 0], "to": [0, 0, 0], "radius": 5.62}},
+      {"name": "b", "pipe": {"from": [17.36, -4.28, -12.48], "direction": [-0.54, -0.61, 0.83],
+        "length": 20, "radius": 5.96}},
+      {"name": "x", "cyclic_blend": {"from": "a.end", "to": "b.start", "k": )" +
+                   k + R"(, "l": )" + l +
+                   R"(, "avoid": [{"ball": {"center": [8.68, -2.14, -6.24], "radius": 3.97}}],
+        "clearance": 1.18}}]})");
+  };
+  const std::string proposed = blend("\"auto\"", "\"auto\"");
+  EXPECT_THAT(proposed, HasSubstr("no end speeds"));
+  EXPECT_THAT(proposed, testing::Not(HasSubstr(" has enough, with")));
+  const std::string followed = blend("187.1", "108.4");
+  EXPECT_THAT(followed, HasSubstr("it does not keep 1.18 from 'avoid/0'"));
+  EXPECT_THAT(followed, HasSubstr("a spline was to go round in its place, but the one from end to "
+                                  "end, which that begins with, folds; what may help is less "
+                                  "clearance"));
+  EXPECT_THAT(followed, testing::Not(HasSubstr("its points")));
+}
+
 TEST(KeptClear, a_ringed_blend_takes_lengths_with_which_it_keeps_clear) {
   const auto blend = [](const std::string& clearance) {
     return R"({"units": "mm", "tolerance": 0.1, "parts": [
