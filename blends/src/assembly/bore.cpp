@@ -458,6 +458,7 @@ PipeWalls pipe_walls(const Assembly& assembly, const std::array<std::uint32_t, 2
     result.walls.at(i) = wall_of(assembly, part);
     result.outward.at(i) = outward_distance(assembly, part);
   }
+  result.starts = pipe_starts(assembly, parts);
   return result;
 }
 

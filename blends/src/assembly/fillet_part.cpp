@@ -243,8 +243,10 @@ class Search {
       if (places.at(i) == Place::across) {
         const Range& height = courses.at(i).height;
         const double over = std::max(-height.least, height.most - pipes_.at(i).length());
-        refuse(std::string(radius_ == 0 ? "the cut" : "the fillet") + " runs over the end of '" +
-               pipes_.at(i).name() + "' by " + decimal(over, kMessageDigits) + half_buried_end());
+        refuse(std::string(radius_ == 0 ? "the cut" : "the fillet") +
+               (over > 0 ? " runs over the end of '" : " touches the end of '") +
+               pipes_.at(i).name() + "'" +
+               (over > 0 ? " by " + decimal(over, kMessageDigits) : "") + half_buried_end());
       }
     }
     result_.loops.push_back(std::move(loop));
@@ -390,20 +392,58 @@ class LongerPipes {
 
   [[nodiscard]] std::string text(const std::optional<double>& radius) const {
     std::string result;
-    for (std::size_t i = 0; i < 2; ++i) {
-      bool is_named = false;
-      for (const End end : {End::start, End::end}) {
-        const double by = by_.at(i).at(at(end));
-        if (by > 0) {
-          result += (result.empty() ? "; with " : " and ") +
-                    (is_named ? "" : "'" + names_.at(i) + "' longer ") + "by " + decimal(by) +
-                    " at its " + std::string(name(end));
-          is_named = true;
-        }
-      }
+    for (const std::string& change : changes()) {
+      result += (result.empty() ? "; with " : " and ") + change;
     }
     return result + (radius ? " a ball of radius " + decimal(*radius) : " the ball") + " would fit";
   }
+
+  // As a document can say them. A branch begins on the axis of its run, unless it begins at a
+  // point; where the run begins is where it is measured from.
+  [[nodiscard]] std::vector<std::string> changes() const {
+    const std::optional<BranchStart>& on = walls_.starts.on;
+    const bool is_freed = on && by_.at(on->branch)[0] > 0;
+    std::vector<std::string> result;
+    if (is_freed) {
+      result.push_back(on->tee.empty()
+                           ? "'" + names_.at(on->branch) + "' from a point, not \"on\" '" +
+                                 names_.at(1 - on->branch) + "',"
+                           : "'" + on->tee + "' written as pipes from points and a fillet,");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto& [start, end] = by_.at(i);
+      if (start > 0 || end > 0) {
+        const bool is_run = on && !is_freed && i != on->branch;
+        result.push_back(is_run && !on->tee.empty() ? longer_tee(*on, start, end) : longer(i));
+        if (is_run && on->tee.empty() && start > 0) {
+          result.push_back("'" + names_.at(on->branch) + "' \"at\" " + along(on->at + start));
+        }
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::string longer(std::size_t i) const {
+    std::string result;
+    for (const End end : {End::start, End::end}) {
+      const double by = by_.at(i).at(at(end));
+      if (by > 0) {
+        const std::string& port = walls_.starts.joined.at(i).at(at(end));
+        result += (result.empty() ? "'" + names_.at(i) + "' longer " : " and ") + "by " +
+                  decimal(by) + " at its " + std::string(name(end)) +
+                  (port.empty() ? "" : ", which is at '" + port + "',");
+      }
+    }
+    return result;
+  }
+
+  static std::string longer_tee(const BranchStart& on, double start, double end) {
+    return "a \"length\" of " + along(on.run_length + start + end) + " of '" + on.tee +
+           "' and its branch \"at\" " + along(on.at + start);
+  }
+
+  // In digits that tell it from where it was.
+  static std::string along(double length) { return decimal(length, 12); }
 
   const std::array<std::string, 2>& names_;
   const PipeWalls& walls_;

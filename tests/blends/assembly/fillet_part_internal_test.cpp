@@ -333,6 +333,14 @@ TEST(FilletPart, says_which_pipe_is_thicker_where_axes_meet) {
   EXPECT_THAT(why, testing::Not(testing::HasSubstr("its axis is")));
 }
 
+// It was said to run over it by -0.
+TEST(FilletPart, says_where_it_touches_an_end) {
+  const std::string why =
+      refusal(assembly({pipe("run", {0, 0, 0}, {12, 0, 0}, 5), pipe("b", {6, 0, 0}, {6, 0, 30}, 4),
+                        fillet("f", "run", "b", 2)}));
+  EXPECT_THAT(why, testing::HasSubstr("the fillet touches the end of 'run'; the largest ball"));
+}
+
 TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
   Assembly document = assembly({pipe("run", {-100, 0, 0}, {100, 0, 0}, 10),
                                 pipe("b", {0, 0, 0}, {90, 0, 45}, 10), fillet("f", "run", "b", 9)});
