@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "assembly/bore.h"
+#include "assembly/narrowed_shape.h"
 #include "canal/contact_feet.h"
 #include "canal/straight_pipe.h"
 #include "dupin/blends/canal_fillet.h"
@@ -489,6 +490,20 @@ std::string what_would_do(const std::array<const PartSurface*, 2>& surfaces,
   return text;
 }
 
+// Of walls that leave no bore: no ball would do that is not told of them.
+std::string without_bore(const std::array<const PartSurface*, 2>& surfaces,
+                         const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    try {
+      (void)narrowed(*surfaces.at(i), walls.walls.at(i));
+    } catch (const Error& error) {
+      return "; '" + names.at(i) + "' is to be mended, too: " + error.message() +
+             "; whether a ball fits inside then is undecided";
+    }
+  }
+  return {};
+}
+
 // What `work` does with the pipes; where it refuses them, with what would do.
 template <typename Work>
 auto searched(const std::array<const PartSurface*, 2>& surfaces,
@@ -498,8 +513,9 @@ auto searched(const std::array<const PartSurface*, 2>& surfaces,
   try {
     return work(pipes);
   } catch (const Error& error) {
-    throw Error(Errc::infeasible_blend,
-                error.message() + what_would_do(surfaces, names, radius, walls));
+    throw Error(Errc::infeasible_blend, error.message() +
+                                            what_would_do(surfaces, names, radius, walls) +
+                                            without_bore(surfaces, names, walls));
   }
 }
 

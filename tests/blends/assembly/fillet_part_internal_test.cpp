@@ -333,6 +333,24 @@ TEST(FilletPart, says_which_pipe_is_thicker_where_axes_meet) {
   EXPECT_THAT(why, testing::Not(testing::HasSubstr("its axis is")));
 }
 
+// Followed, the ball alone led to the next refusal.
+TEST(FilletPart, names_the_wall_that_leaves_no_bore_beside_the_ball) {
+  const auto with = [](double radius, double wall) {
+    Assembly document =
+        assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 8), pipe("b", {0, 0, 0}, {0, 0, 30}, 1.35),
+                  fillet("f", "run", "b", radius)});
+    document.wall = wall;
+    return refusal(document);
+  };
+  EXPECT_THAT(with(40, 3.59),
+              testing::AllOf(testing::HasSubstr("; the largest ball that fits, to 1 %, has "),
+                             testing::EndsWith(
+                                 "; 'b' is to be mended, too: a wall of 3.59 leaves no bore where "
+                                 "the radius is only 1.35; whether a ball fits inside then is "
+                                 "undecided")));
+  EXPECT_THAT(with(40, 0.5), testing::Not(testing::HasSubstr("mended")));
+}
+
 // It was said to run over it by -0.
 TEST(FilletPart, says_where_it_touches_an_end) {
   const std::string why =
