@@ -493,15 +493,15 @@ std::string what_would_do(const std::array<const PartSurface*, 2>& surfaces,
 // Of walls that leave no bore: no ball would do that is not told of them.
 std::string without_bore(const std::array<const PartSurface*, 2>& surfaces,
                          const std::array<std::string, 2>& names, const PipeWalls& walls) {
+  std::string result;
   for (std::size_t i = 0; i < 2; ++i) {
     try {
       (void)narrowed(*surfaces.at(i), walls.walls.at(i));
     } catch (const Error& error) {
-      return "; '" + names.at(i) + "' is to be mended, too: " + error.message() +
-             "; whether a ball fits inside then is undecided";
+      result += "; '" + names.at(i) + "' is to be mended, too: " + error.message();
     }
   }
-  return {};
+  return result.empty() ? result : result + "; whether a ball fits inside then is undecided";
 }
 
 // What `work` does with the pipes; where it refuses them, with what would do.

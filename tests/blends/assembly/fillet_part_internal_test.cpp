@@ -348,6 +348,8 @@ TEST(FilletPart, names_the_wall_that_leaves_no_bore_beside_the_ball) {
                                  "; 'b' is to be mended, too: a wall of 3.59 leaves no bore where "
                                  "the radius is only 1.35; whether a ball fits inside then is "
                                  "undecided")));
+  EXPECT_THAT(with(40, 9), testing::AllOf(testing::HasSubstr("; 'run' is to be mended, too: "),
+                                          testing::HasSubstr("; 'b' is to be mended, too: ")));
   EXPECT_THAT(with(40, 0.5), testing::Not(testing::HasSubstr("mended")));
 }
 
