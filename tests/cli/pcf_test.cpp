@@ -213,5 +213,35 @@ TEST_F(Pcf, lines_can_be_looked_at) {
   EXPECT_EQ(dupin({"nurbs", example("line.pcf"), "-o", "a.json"}).exit_code, 0);
 }
 
+// Whose points lie beside the axis of what goes on, by more than the tolerance.
+TEST_F(Pcf, documents_of_eccentric_reducers_are_built_whatever_the_snap_tolerance) {
+  write(folder_.path() / "line.pcf",
+        kHead +
+            "REDUCER-ECCENTRIC\n    END-POINT 4863.3 0.1 573 50\n"
+            "    END-POINT 4890 4.1 657.4 100\n"
+            "ELBOW\n    END-POINT 4889.8 4.5 657.7 100\n"
+            "    END-POINT 5232.7 4.5 1000.6 100\n    CENTRE-POINT 4889.8 4.5 1000.6\n");
+  const auto converted = json({"convert", "line.pcf", "line.json", "--snap", "1"}, 0);
+  EXPECT_NEAR(double(converted.at("piping").at("largest_move")), 0.538516, 1e-6);
+  for (const char* file : {"line.pcf", "line.json"}) {
+    std::vector<std::string> arguments{"build", file, "-o", "a.stl"};
+    if (file == std::string("line.pcf")) {
+      arguments.insert(arguments.end(), {"--snap", "1"});
+    }
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+}
+
+TEST_F(Pcf, the_largest_move_is_that_of_any_end) {
+  write(folder_.path() / "line.pcf",
+        kHead +
+            "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 1000 0 0 100\n"
+            "ELBOW\n    END-POINT 1000 0 0 100\n    END-POINT 1152.1 152 0 100\n"
+            "    CENTRE-POINT 1152.1 0 0\n");
+  EXPECT_THAT(dupin({"convert", "line.pcf", "line.json"}).out,
+              HasSubstr("moved                at most 0.05 mm"));
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -13,6 +13,9 @@ constexpr double kStub = 0.1;
 // Of the snap tolerance, by which either bend's tangent may be longer than its leg.
 constexpr double kPipeBetweenBends = 3;
 
+// Of an eccentric part's length along its axis, what it keeps where its ends are moved.
+constexpr double kKeptLength = 0.5;
+
 Vec3 way(const PipingSpans& spans, const ChainElement& element) {
   return end_of(spans, element).point - begin_of(spans, element).point;
 }
@@ -47,7 +50,7 @@ class ChainMaker {
     find_offsets();
     do {
       replace_bends();
-    } while (split_crooked());
+    } while (split_crooked() || part_offsets());
     return with_axes();
   }
 
@@ -201,9 +204,6 @@ class ChainMaker {
     std::vector<ChainElement> stubs;
     std::vector<std::optional<Seam>> seams;
     Seam bend{SeamKind::bend, {}, spans_.spans[in.span].component};
-    const auto is_offset = [](const std::optional<Seam>& seam) {
-      return seam && seam->kind == SeamKind::offset;
-    };
     const bool has_before =
         i > 0 && !is_leg(spans_, links_.elements[i - 1]) && !is_offset(links_.seams[i]);
     const bool has_after = i + 2 < links_.elements.size() &&
@@ -267,19 +267,19 @@ class ChainMaker {
     bool is_split = false;
     for (std::size_t begin = 0; begin < links_.elements.size();) {
       const std::size_t end = leg_end(begin);
-      const Vec3 from = node(begin, begin, end), axis = node(end, begin, end) - from;
+      const Vec3 from = node(begin, begin, end);
+      const Vec3 direction = (node(end, begin, end) - from).normalized();
       std::size_t worst = begin;
       double furthest = snap_;
       for (std::size_t i = begin + 1; i < end; ++i) {
-        const double aside = axis.cross(node(i, begin, end) - from).norm() / axis.norm();
-        if (!(aside <= furthest)) {
-          furthest = aside;
+        const double move = move_onto(from, direction, i, begin, end);
+        if (!(move <= furthest)) {
+          furthest = move;
           worst = i;
         }
       }
       if (worst != begin) {
-        links_.seams[worst] =
-            Seam{SeamKind::kink, {end_of(spans_, links_.elements[worst - 1]).joint}, {}};
+        links_.seams[worst] = kink_at(worst);
         is_split = true;
       } else {
         begin = end;
@@ -288,54 +288,173 @@ class ChainMaker {
     return is_split;
   }
 
-  // That of the first leg from there that is none of an eccentric part.
-  [[nodiscard]] Vec3 direction_behind(std::size_t begin) const {
-    std::size_t end = leg_end(begin);
-    while (end < links_.elements.size() && is_eccentric(begin) &&
-           links_.seams[end]->kind == SeamKind::offset) {
-      begin = end;
-      end = leg_end(begin);
+  [[nodiscard]] Seam kink_at(std::size_t i) const {
+    return {SeamKind::kink, {end_of(spans_, links_.elements[i - 1]).joint}, {}};
+  }
+
+  // How far the axis takes the ends that lie on it before element i. Those of a gap stay where they
+  // are along it.
+  [[nodiscard]] double move_onto(const Vec3& origin, const Vec3& direction, std::size_t i,
+                                 std::size_t begin, std::size_t end) const {
+    const double level = (node(i, begin, end) - origin).dot(direction);
+    const auto move = [&](const SpanEnd& own) {
+      const double own_level = (own.point - origin).dot(direction);
+      const bool is_gap = own.joint && spans_.pairs[*own.joint].distance > snap_;
+      return (origin + (is_gap ? own_level : level) * direction - own.point).norm();
+    };
+    return std::max(i > begin ? move(end_of(spans_, links_.elements[i - 1])) : 0,
+                    i < end ? move(begin_of(spans_, links_.elements[i])) : 0);
+  }
+
+  // Eccentric parts that would take ends too far, for the circles that they share with their
+  // neighbours, and for these to be parallel, are legs as others are.
+  bool part_offsets() {
+    if (std::ranges::none_of(links_.seams, is_offset)) {
+      return false;
     }
-    return (node(end, begin, end) - node(begin, begin, end)).normalized();
+    std::size_t begin = 0;
+    for (const Leg& leg : with_axes().legs) {
+      const std::size_t end = begin + leg.elements.size();
+      if (leg.is_offset ? !is_kept(leg) : furthest_move(leg, begin, end) > snap_) {
+        return part_nearest_offset(begin);
+      }
+      begin = end;
+    }
+    return false;
+  }
+
+  static bool is_offset(const std::optional<Seam>& seam) {
+    return seam && seam->kind == SeamKind::offset;
+  }
+
+  [[nodiscard]] double furthest_move(const Leg& leg, std::size_t begin, std::size_t end) const {
+    double result = 0;
+    for (std::size_t i = begin; i <= end; ++i) {
+      result = std::max(result, move_onto(leg.origin, leg.direction, i, begin, end));
+    }
+    return result;
+  }
+
+  // Whether both ends of an eccentric part stay near their places, and it most of its length.
+  [[nodiscard]] bool is_kept(const Leg& leg) const {
+    const Vec3 &from = begin_of(spans_, leg.elements[0]).point,
+               &to = end_of(spans_, leg.elements[0]).point;
+    const Vec3 way = leg.circles[1] - leg.circles[0];
+    return (leg.circles[0] - from).norm() <= snap_ && (leg.circles[1] - to).norm() <= snap_ &&
+           way.dot(leg.direction) > kKeptLength * (to - from).dot(leg.direction);
+  }
+
+  // Those in a row behind element i or, if there are none, before it.
+  bool part_nearest_offset(std::size_t i) {
+    std::size_t begin = i + 1;
+    while (begin > 0 && !is_offset(links_.seams[begin])) {
+      --begin;
+    }
+    while (begin + 1 < links_.seams.size() && !is_offset(links_.seams[begin])) {
+      ++begin;
+    }
+    while (begin > 0 && is_offset(links_.seams[begin - 1])) {
+      --begin;
+    }
+    for (; begin < links_.seams.size() && is_offset(links_.seams[begin]); ++begin) {
+      links_.seams[begin] = first_seam(begin);
+    }
+    return true;
+  }
+
+  // Of the legs in a row that eccentric parts lie between: that of the longest one that is more
+  // than such a part, or of the last one.
+  [[nodiscard]] Vec3 common_direction(std::size_t begin) const {
+    Vec3 longest = Vec3::Zero();
+    while (true) {
+      const std::size_t end = leg_end(begin);
+      const Vec3 own = node(end, begin, end) - node(begin, begin, end);
+      const bool is_part = end == begin + 1 && is_eccentric(begin);
+      if (!is_part && own.norm() > longest.norm()) {
+        longest = own;
+      }
+      if (!is_offset(links_.seams[end])) {
+        return (longest != Vec3::Zero() ? longest : own).normalized();
+      }
+      begin = end;
+    }
+  }
+
+  // The leg that begins with this element. `common` is the direction of all that lie beside each
+  // other; 0 if it lies beside none.
+  [[nodiscard]] Leg leg_from(std::size_t begin, const Chain& before, const Vec3& common) const {
+    const std::size_t end = leg_end(begin);
+    Leg leg;
+    leg.elements.assign(links_.elements.begin() + static_cast<std::ptrdiff_t>(begin),
+                        links_.elements.begin() + static_cast<std::ptrdiff_t>(end));
+    leg.origin = node(begin, begin, end);
+    const bool is_behind_corner =
+        !before.legs.empty() && before.seams.back().kind == SeamKind::corner;
+    if (is_behind_corner) {
+      const Leg& previous = before.legs.back();  // whose axis may have been given to it
+      leg.origin = point_at(previous, previous.nodes.back());
+    }
+    const Vec3 along = node(end, begin, end) - leg.origin;
+    const bool is_beside = common != Vec3::Zero();
+    leg.direction = is_beside ? common : along.normalized();
+    if (is_beside && end == begin + 1 && is_eccentric(begin)) {
+      // Beside others that are, one may lead along the axis.
+      const Vec3 own = way(spans_, leg.elements[0]);
+      leg.is_offset = !is_straight(own, own.norm() * leg.direction, snap_);
+    }
+    if (is_beside && !leg.is_offset && !is_behind_corner) {  // its ends move by the same
+      leg.origin += (along - along.dot(leg.direction) * leg.direction) / 2;
+    }
+    leg.nodes.reserve(end - begin + 1);
+    for (std::size_t i = begin; i <= end; ++i) {
+      leg.nodes.push_back((node(i, begin, end) - leg.origin).dot(leg.direction));
+    }
+    return leg;
   }
 
   [[nodiscard]] Chain with_axes() const {
     Chain chain;
     chain.seams.push_back(*links_.seams.front());
+    Vec3 common = Vec3::Zero();
     for (std::size_t begin = 0; begin < links_.elements.size();) {
       const std::size_t end = leg_end(begin);
-      Leg leg;
-      leg.elements.assign(links_.elements.begin() + static_cast<std::ptrdiff_t>(begin),
-                          links_.elements.begin() + static_cast<std::ptrdiff_t>(end));
-      leg.origin = node(begin, begin, end);
-      leg.direction = (node(end, begin, end) - leg.origin).normalized();
-      const SeamKind before = chain.seams.back().kind, after = links_.seams[end]->kind;
-      leg.is_offset = end == begin + 1 &&
-                      (before == SeamKind::offset || after == SeamKind::offset) &&
-                      spans_.spans[leg.elements[0].span].is_eccentric;
-      if (!chain.legs.empty() && before == SeamKind::corner) {
-        const Leg& previous = chain.legs.back();  // whose axis may have been given to it
-        leg.origin = point_at(previous, previous.nodes.back());
-        leg.direction = (node(end, begin, end) - leg.origin).normalized();
-      } else if (!chain.legs.empty() && before == SeamKind::offset) {
-        leg.direction = chain.legs.back().direction;
-      } else if (leg.is_offset) {
-        leg.direction = direction_behind(end);
+      if (!is_offset(links_.seams[begin])) {
+        common = is_offset(links_.seams[end]) ? common_direction(begin) : Vec3::Zero();
       }
-      if (leg.is_offset) {  // beside others that are, one may lead along the axis
-        const Vec3 own = way(spans_, leg.elements[0]);
-        leg.is_offset = !is_straight(own, own.norm() * leg.direction, snap_);
-      }
-      leg.nodes.reserve(end - begin + 1);
-      for (std::size_t i = begin; i <= end; ++i) {
-        leg.nodes.push_back((node(i, begin, end) - leg.origin).dot(leg.direction));
-      }
-      chain.legs.push_back(std::move(leg));
+      chain.legs.push_back(leg_from(begin, chain, common));
       chain.seams.push_back(*links_.seams[end]);
       begin = end;
     }
     chain.is_closed = links_.is_closed;
+    place_circles(chain);
     return chain;
+  }
+
+  // Of eccentric parts: where their neighbours begin and end, or on their axes where a gap lies
+  // between.
+  void place_circles(Chain& chain) const {
+    const auto on_axis = [&](const Leg& leg, double level, const SpanEnd& own) {
+      const bool is_gap = own.joint && spans_.pairs[*own.joint].distance > snap_;
+      return point_at(leg, is_gap ? (own.point - leg.origin).dot(leg.direction) : level);
+    };
+    for (std::size_t k = 0; k < chain.legs.size(); ++k) {
+      Leg& leg = chain.legs[k];
+      if (!leg.is_offset) {
+        continue;
+      }
+      const SpanEnd &from = begin_of(spans_, leg.elements[0]),
+                    &to = end_of(spans_, leg.elements[0]);
+      leg.circles = {from.point, to.point};
+      if (chain.seams[k].kind == SeamKind::offset) {
+        const Leg& previous = chain.legs[k - 1];
+        leg.circles[0] = previous.is_offset ? previous.circles[1]
+                                            : on_axis(previous, previous.nodes.back(), from);
+      }
+      if (chain.seams[k + 1].kind == SeamKind::offset && !chain.legs[k + 1].is_offset) {
+        const Leg& next = chain.legs[k + 1];
+        leg.circles[1] = on_axis(next, next.nodes.front(), to);
+      }
+    }
   }
 
   PipingSpans& spans_;

@@ -40,6 +40,7 @@ struct Leg {
   Vec3 origin, direction;
   std::vector<double> nodes;  ///< along the axis: where elements begin, and where the last one ends
   bool is_offset = false;     ///< an eccentric part
+  std::array<Vec3, 2> circles = {};  ///< its ends' centres, where it is one
 };
 
 /// Legs in the order of travel, and the seams before, between and behind them.
@@ -57,7 +58,8 @@ struct Chain {
 
 /// All spans, each in one chain. Stubs are added to `spans` where a blend takes the place of a bend
 /// that has no straight neighbour. An axis leads from the first point of its leg to the last one,
-/// and has all between them within `snap`.
+/// or beside an eccentric part in the direction of what is longest there. It takes no end on it
+/// further than `snap`.
 [[nodiscard]] std::vector<Chain> chains_of(PipingSpans& spans, double snap);
 
 }  // namespace dupin::network

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dupin/blends/cyclic_blend.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "network/piping_fillets.h"
 #include "numbers/angle.h"
@@ -34,6 +35,12 @@ void put(PipingNetwork& network, Part part, const PipingComponent& origin) {
 void hide(PipingNetwork& network, const PortReference& end) {
   network.assembly.patches[to_string(end)] = end.part;
 }
+
+// Of a chain, and where it lies.
+struct ChainEnd {
+  PortReference reference;
+  Vec3 place;
+};
 
 // Writes one chain's parts.
 class ChainParts {
@@ -67,7 +74,7 @@ class ChainParts {
 
   [[nodiscard]] PlannedChain planned() { return {&chain_, &plan_}; }
 
-  void write(std::map<std::size_t, PortReference>& made) {
+  void write(std::map<std::size_t, ChainEnd>& made) {
     for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
       const SeamKind before = chain_.seams[k].kind;
       if (before == SeamKind::corner && !plan_.arcs[k]->is_left_out) {
@@ -120,20 +127,15 @@ class ChainParts {
     const Leg& leg = chain_.legs[k];
     const Vec3 to = point_at(leg, stretch.levels[1]);
     const bool goes_on = port_.has_value();
-    const PipingComponent& component = line_.components[stretch.component];
-    if (component.is_eccentric && !component.kind.ends_with("CONCENTRIC") && !leg.is_offset &&
-        stretch.name == component.name && stretch.radii[0] != stretch.radii[1]) {
-      notes_.add(component,
-                 "has no flat side, as its neighbours do not lie beside each other; a concentric "
-                 "cone takes its place");
-    }
+    note_reducer(leg, stretch);
     PartShape shape;
     if (closes_chain(k) && is_last) {
       shape = CyclicBlendBetween{*port_, *first_, {}};
       closing_ = stretch.name;
     } else if (leg.is_offset) {
-      const Vec3 there = end_of(spans_, leg.elements[0]).point;
-      const Vec3 start = begin_of(spans_, leg.elements[0]).point;
+      const auto& [start, there] = leg.circles;
+      note_move(begin_of(spans_, leg.elements[0]).point, goes_on ? here_ : start);
+      note_move(end_of(spans_, leg.elements[0]).point, there);
       shape = goes_on ? PartShape(ObliqueTo{*port_, there, stretch.radii[1]})
                       : PartShape(ObliqueBetween{start, there, leg.direction, stretch.radii[0],
                                                  stretch.radii[1]});
@@ -146,8 +148,32 @@ class ChainParts {
       shape = PipeTo{*port_, to};
     }
     add(stretch.name, stretch.component, std::move(shape), stretch.is_solid);
-    here_ = leg.is_offset ? end_of(spans_, leg.elements[0]).point : to;
+    here_ = leg.is_offset ? leg.circles[1] : to;
     radius_ = stretch.radii[1];
+  }
+
+  // Where it does not become what its name says.
+  void note_reducer(const Leg& leg, const Stretch& stretch) {
+    const PipingComponent& component = line_.components[stretch.component];
+    if (!component.is_eccentric || stretch.name != component.name) {
+      return;
+    }
+    const Span& span = spans_.spans[leg.elements.front().span];
+    const bool has_one_bore = stretch.span && spans_.spans[*stretch.span].radii[0] ==
+                                                  spans_.spans[*stretch.span].radii[1];
+    if (has_one_bore && leg.is_offset) {
+      const Vec3 across = (span.ends[1].point - span.ends[0].point).cross(leg.direction);
+      notes_.add(component, "has the same bore at both ends, " +
+                                decimal(across.norm(), kMessageDigits) +
+                                " beside each other; a slanted pipe takes its place");
+    } else if (has_one_bore) {
+      notes_.add(component, "has the same bore at both ends; a pipe takes its place");
+    } else if (!component.kind.ends_with("CONCENTRIC") && !leg.is_offset &&
+               stretch.radii[0] != stretch.radii[1]) {
+      notes_.add(component,
+                 "has no flat side, as its neighbours do not lie beside each other; a concentric "
+                 "cone takes its place");
+    }
   }
 
   // Whether the last part of this leg closes a chain.
@@ -306,15 +332,22 @@ class ChainParts {
            *ports[0].radius != *ports[1].radius;
   }
 
+  // Of the chain's first end.
+  [[nodiscard]] Vec3 first_place(const SpanEnd& begin) const {
+    const auto& place = plan_.places.front().front();
+    const Leg& leg = chain_.legs.front();
+    return leg.is_offset ? leg.circles[0] : place ? point_at(leg, (*place)[0]) : begin.point;
+  }
+
   // Which ports of the file are the chain's ends.
-  void note_ends(std::map<std::size_t, PortReference>& made) const {
+  void note_ends(std::map<std::size_t, ChainEnd>& made) const {
     const auto &begin = begin_of(spans_, chain_.legs.front().elements.front()),
                &end = end_of(spans_, chain_.legs.back().elements.back());
     if (begin.port && first_) {
-      made[*begin.port] = *first_;
+      made[*begin.port] = {*first_, first_place(begin)};
     }
     if (end.port && port_) {
-      made[*end.port] = *port_;
+      made[*end.port] = {*port_, here_};
     }
     if (first_ && is_no_end(chain_.legs.front().elements.front(), begin)) {
       hide(network_, *first_);
@@ -367,17 +400,21 @@ class ChainParts {
     return end.joint && spans_.pairs[*end.joint].distance > snap_;
   }
 
+  void note_move(const Vec3& from, const Vec3& to) {
+    network_.largest_move = std::max(network_.largest_move, (to - from).norm());
+  }
+
+  // Of all but eccentric parts. What ends at a bend ends where its arc does.
   void measure_moves() {
-    for (const Leg& leg : chain_.legs) {
+    for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
+      const Leg& leg = chain_.legs[k];
       for (std::size_t i = 0; i < leg.elements.size() && !leg.is_offset; ++i) {
-        for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-          const SpanEnd& end =
-              side == 0 ? begin_of(spans_, leg.elements[i]) : end_of(spans_, leg.elements[i]);
-          // Both ends of a gap along the axis stay where they are along it.
-          const double level =
-              is_bridged(end) ? (end.point - leg.origin).dot(leg.direction) : leg.nodes[i + side];
-          network_.largest_move =
-              std::max(network_.largest_move, (point_at(leg, level) - end.point).norm());
+        if (const auto& place = plan_.places[k][i]) {
+          note_move(begin_of(spans_, leg.elements[i]).point, point_at(leg, (*place)[0]));
+          const SpanEnd& end = end_of(spans_, leg.elements[i]);
+          const bool closes = closing_ && k + 1 == chain_.legs.size() &&
+                              i + 1 == leg.elements.size() && !is_bridged(end);
+          note_move(end.point, closes ? first_place(end) : point_at(leg, (*place)[1]));
         }
       }
     }
@@ -400,7 +437,7 @@ class ChainParts {
 // What a line ends with that has one point: a plate as thick as the wall where there is one, else
 // the end's name.
 void add_plates(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
-                const std::map<std::size_t, PortReference>& made, PipingNetwork& network,
+                const std::map<std::size_t, ChainEnd>& made, PipingNetwork& network,
                 LineNotes& notes) {
   for (const PortPair& pair : spans.pairs) {
     for (const auto& [own, other] :
@@ -416,9 +453,12 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
       }
       const PipingComponent& closed = line.components[spans.ports[other].component];
       const auto wall = component.wall ? component.wall : closed.wall ? closed.wall : options.wall;
-      Part part{component.name, CapAt{at->second}};
+      const auto& [reference, place] = at->second;
+      network.largest_move =
+          std::max(network.largest_move, (component.ports[0].center - place).norm());
+      Part part{component.name, CapAt{reference}};
       if (wall && *wall > 0) {
-        part.shape = PipeAlong{at->second, *wall};
+        part.shape = PipeAlong{reference, *wall};
         part.solid = true;
         hide(network, {part.name, End::end});
       }
@@ -432,7 +472,7 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
 
 void add_parts(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
                const std::vector<Chain>& chains, PipingNetwork& network, LineNotes& notes) {
-  std::map<std::size_t, PortReference> made;
+  std::map<std::size_t, ChainEnd> made;
   std::vector<ChainParts> parts;
   parts.reserve(chains.size());
   for (const Chain& chain : chains) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "dupin/kernel/decimal.h"
@@ -39,6 +40,7 @@ class Planner {
       }
     }
     result_.stretches.resize(chain_.legs.size());
+    result_.places.resize(chain_.legs.size());
     for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
       cut(k);
       step_between(k);
@@ -62,8 +64,8 @@ class Planner {
                  second = end_level(out, 0);
     const double half = numbers::angle_between(in.direction, out.direction) / 2;
     Arc result{leg.component, std::min(first, second), leg.radii[0], false};
-    if (std::abs(first - second) <= 2 * options_.snap) {
-      result.tangent = (first + second) / 2;
+    if (const auto common = common_tangent(in, out, first, second)) {
+      result.tangent = *common;
     }
     if (bend.bend_radius && *bend.bend_radius * std::tan(half) < kShorterArc * result.tangent) {
       result.tangent = *bend.bend_radius * std::tan(half);
@@ -80,6 +82,34 @@ class Planner {
                            decimal(bend_radius, kMessageDigits));
     }
     return result;
+  }
+
+  // The nearest to the middle of both legs that moves no end beside the bend by more than the snap
+  // tolerance, with what the axes take it aside, or where there is none, though nothing but an arc
+  // has room on either leg, what moves ends least; else none.
+  [[nodiscard]] std::optional<double> common_tangent(const Leg& in, const Leg& out, double first,
+                                                     double second) const {
+    double least = 0, most = std::numeric_limits<double>::infinity();
+    const auto keep = [&](const Leg& leg, double corner, const SpanEnd& end) {
+      const double level = level_of(leg, end), aside = (point_at(leg, level) - end.point).norm();
+      const double room = std::sqrt(std::max(options_.snap * options_.snap - aside * aside, 0.0));
+      least = std::max(least, std::abs(corner - level) - room);
+      most = std::min(most, std::abs(corner - level) + room);
+    };
+    const std::size_t last = in.elements.size() - 1;
+    keep(in, in.nodes.back(), begin_of(spans_, in.elements[last]));
+    if (last > 0 && !is_gap_before(in, last)) {
+      keep(in, in.nodes.back(), end_of(spans_, in.elements[last - 1]));
+    }
+    keep(out, 0, end_of(spans_, out.elements[0]));
+    if (out.elements.size() > 1 && !is_gap_before(out, 1)) {
+      keep(out, 0, begin_of(spans_, out.elements[1]));
+    }
+    if (least <= most) {
+      return std::clamp((first + second) / 2, least, most);
+    }
+    return std::abs(first - second) <= options_.snap ? std::optional((least + most) / 2)
+                                                     : std::nullopt;
   }
 
   void cut(std::size_t k) {
@@ -109,6 +139,7 @@ class Planner {
                         : is_gap_before(leg, i + 1) ? std::min(end_level(leg, i), end)
                                                     : std::min(levels[i + 1], end);
       here = i > 0 && is_gap_before(leg, i) ? begin_level(leg, i) : here;
+      result_.places[k].push_back(place(k, i, {here, to}, end));
       if (to - here <= options_.snap) {
         if (own.role == SpanRole::straight) {
           notes_.add(line_.components[own.component],
@@ -129,6 +160,42 @@ class Planner {
       stretches.push_back(stretch);
       here = to;
     }
+    begin_arc_at(k, here, end);
+  }
+
+  // Of an element between these levels. A bend's ends are those of its arc, if no straight piece is
+  // left of its leg, and `end` is where the next arc begins.
+  [[nodiscard]] std::optional<std::array<double, 2>> place(std::size_t k, std::size_t i,
+                                                           const std::array<double, 2>& levels,
+                                                           double end) const {
+    const Leg& leg = chain_.legs[k];
+    const bool is_made = levels[1] - levels[0] > options_.snap;
+    if (span(leg.elements[i]).role == SpanRole::straight) {
+      // What overlaps is set back.
+      return is_made ? std::optional(std::array{
+                           levels[0], is_gap_before(leg, i + 1) ? end_level(leg, i) : levels[1]})
+                     : std::nullopt;
+    }
+    const bool is_behind_corner = leg.elements[i].is_reversed;
+    if (!is_made && result_.arcs[is_behind_corner ? k : k + 1]->is_left_out) {
+      return std::nullopt;
+    }
+    if (is_behind_corner) {
+      return std::array{leg.nodes.front(), levels[is_made ? 1 : 0]};
+    }
+    const bool is_bridged = !is_made && i > 0 && is_gap_before(leg, i);
+    return std::array{is_bridged ? end : levels[0], leg.nodes.back()};
+  }
+
+  // The arc behind this leg goes on from the last stretch, where what is left between both is too
+  // short to become one.
+  void begin_arc_at(std::size_t k, double here, double end) {
+    const Leg& leg = chain_.legs[k];
+    const std::size_t last = leg.elements.size() - 1;
+    auto& arc = result_.arcs[k + 1];
+    if (arc && !arc->is_left_out && here != end && !(last > 0 && is_gap_before(leg, last))) {
+      arc->tangent = leg.nodes.back() - here;
+    }
   }
 
   [[nodiscard]] static double level_of(const Leg& leg, const SpanEnd& end) {
@@ -136,6 +203,9 @@ class Planner {
   }
 
   [[nodiscard]] bool is_gap_before(const Leg& leg, std::size_t i) const {
+    if (i == leg.elements.size()) {
+      return false;
+    }
     const auto& joint = begin_of(spans_, leg.elements[i]).joint;
     return joint && spans_.pairs[*joint].distance > options_.snap;
   }
@@ -147,9 +217,8 @@ class Planner {
   }
 
   [[nodiscard]] double end_level(const Leg& leg, std::size_t i) const {
-    return i + 1 < leg.elements.size() && is_gap_before(leg, i + 1)
-               ? level_of(leg, end_of(spans_, leg.elements[i]))
-               : leg.nodes[i + 1];
+    return is_gap_before(leg, i + 1) ? level_of(leg, end_of(spans_, leg.elements[i]))
+                                     : leg.nodes[i + 1];
   }
 
   // Where radii differ, in the larger pipe if it is straight, else in the other one.

@@ -35,6 +35,9 @@ struct Arc {
 struct ChainPlan {
   std::vector<std::vector<Stretch>> stretches;  ///< of each leg
   std::vector<std::optional<Arc>> arcs;         ///< at each seam
+  /// Of each leg's elements, the levels where they begin and end, before any is set back for what
+  /// lies between it and the next; none: nothing is made of it.
+  std::vector<std::vector<std::optional<std::array<double, 2>>>> places;
 };
 
 /// The stretch as a part that begins nowhere but at its own place.
