@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -33,6 +34,8 @@ constexpr std::array kUnits = std::to_array<std::pair<std::string_view, double>>
 constexpr const char* kUnitNames = "MM or INCH, or MM-HUNDREDTH or INCH-SIXTEENTH of these";
 // In millimetres: thinner than a hair.
 constexpr double kLeastBore = 0.01;
+// In degrees: what rounded points explain of a difference between a bend's angle and theirs.
+constexpr double kSameAngle = 1;
 
 // Attributes that say nothing of the solid, by how they begin.
 constexpr std::array kKnown = std::to_array<std::string_view>({"SKEY",
@@ -310,7 +313,7 @@ class PcfReader {
     component.name = text::lower_case(component.kind) + "-" + std::to_string(component.line);
     component.is_eccentric =
         component.kind.starts_with("REDUCER") || component.kind == "FLANGE-REDUCING-ECCENTRIC";
-    std::optional<double> radius;
+    std::optional<double> radius, angle;
     std::vector<PipingPort> branches;
     refuse_contradictions(record);
     for (const Attribute& attribute : record.attributes) {
@@ -331,6 +334,8 @@ class PcfReader {
       } else if (keyword == "R2_WALL_THK" || keyword == "WALL-THICKNESS") {
         const double wall = positive(attribute, "a wall thickness", bore_millimetres_);
         component.wall = wall > 0 ? std::optional(wall * bore_millimetres_) : component.wall;
+      } else if (keyword == "ANGLE") {
+        angle = pcf::leading_number(attribute.text);
       } else if (!is_known(keyword)) {
         note_unknown(attribute);
       }
@@ -344,9 +349,29 @@ class PcfReader {
       return;
     }
     if (!repeats(component, radius)) {
+      if (angle) {
+        note_angle(component, *angle);
+      }
       ++file_.kinds[component.kind];
       file_.line.components.push_back(std::move(component));
       own_radii_.push_back(radius);
+    }
+  }
+
+  // Of a bend, which turns as its points do. The angle is in hundredths of a degree, but in degrees
+  // of some programs.
+  void note_angle(const PipingComponent& bend, double angle) {
+    if (bend.shape != PipingShape::bend || bend.ports.size() < 2 || !bend.center || angle == 0) {
+      return;
+    }
+    const Vec3 in = *bend.center - bend.ports[0].center, out = bend.ports[1].center - *bend.center;
+    const double turned = std::atan2(in.cross(out).norm(), in.dot(out)) * (180 / std::numbers::pi);
+    const double said = kHundredth * angle;
+    if (std::min(std::abs(said - turned), std::abs(angle - turned)) > kSameAngle) {
+      file_.line.notes.push_back({bend.line, bend.name + ": turns by " +
+                                                 decimal(turned, kMessageDigits) +
+                                                 " degrees, as its points say; its angle says " +
+                                                 decimal(said, kMessageDigits)});
     }
   }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "text/line_counter.h"
@@ -211,6 +214,12 @@ std::vector<Record> records(std::string_view text) {
     }
   }
   return result;
+}
+
+std::optional<double> leading_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace dupin::pcf

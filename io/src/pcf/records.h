@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,5 +37,8 @@ enum class HeadKind {
 /// indented more than the message and have no point of a component below them. Keywords are taken
 /// in any case, with "<>" about them or not, in the spellings ENDPOINT, CENTER.
 [[nodiscard]] std::vector<Record> records(std::string_view text);
+
+/// What the text begins with; none: no finite number.
+[[nodiscard]] std::optional<double> leading_number(std::string_view text);
 
 }  // namespace dupin::pcf

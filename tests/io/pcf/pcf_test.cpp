@@ -114,6 +114,22 @@ TEST(Pcf, gives_families_their_shapes) {
   EXPECT_EQ(shape("GASKET", second), PipingShape::straight);
 }
 
+TEST(Pcf, notes_bends_whose_angle_is_not_that_of_their_points) {
+  const auto notes = [](const std::string& angle, const std::string& kind = "ELBOW") {
+    const PcfFile file =
+        parse_pcf(kUnits + kind + "\n    END-POINT 0 0 0 100\n    END-POINT 150 150 0 100\n" +
+                  "    CENTRE-POINT 150 0 0\n    ANGLE " + angle + "\n");
+    return file.line.notes.empty() ? "" : file.line.notes.at(0).text;
+  };
+  EXPECT_THAT(notes("4500"), HasSubstr("elbow-3: turns by 90 degrees, as its points say; its "
+                                       "angle says 45"));
+  EXPECT_THAT(notes("-9000"), HasSubstr("its angle says -90"));
+  for (const char* angle : {"9000", "9000.00 deg", "8950", "90", "0", "", "none", "nan", "1e999"}) {
+    EXPECT_EQ(notes(angle), "") << angle;
+  }
+  EXPECT_EQ(notes("4500", "TEE"), "") << "that of its branch";
+}
+
 TEST(Pcf, takes_half_couplings_and_teed_reducers_for_fittings) {
   const auto shape = [](const std::string& text) {
     return parse_pcf(kUnits + text).line.components[0].shape;

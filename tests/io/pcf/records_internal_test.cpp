@@ -86,5 +86,13 @@ TEST(PcfRecords, are_components_settings_skipped_or_unknown) {
   EXPECT_EQ(head_kind(""), HeadKind::unknown);
 }
 
+TEST(PcfRecords, may_begin_with_a_number) {
+  EXPECT_EQ(leading_number("9000"), 9000);
+  EXPECT_EQ(leading_number("-45.5 deg"), -45.5);
+  for (const char* text : {"", "none", "nan", "inf", "1e999"}) {
+    EXPECT_FALSE(leading_number(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace dupin::pcf
