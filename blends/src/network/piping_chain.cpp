@@ -15,6 +15,8 @@ constexpr double kPipeBetweenBends = 3;
 
 // Of an eccentric part's length along its axis, what it keeps where its ends are moved.
 constexpr double kKeptLength = 0.5;
+// Of the snap tolerance: joints may be as wide as that, and are moved by rounded coordinates.
+constexpr double kAsWide = 1 + 1e-6;
 
 Vec3 way(const PipingSpans& spans, const ChainElement& element) {
   return end_of(spans, element).point - begin_of(spans, element).point;
@@ -315,8 +317,8 @@ class ChainMaker {
     std::size_t begin = 0;
     for (const Leg& leg : with_axes().legs) {
       const std::size_t end = begin + leg.elements.size();
-      if (leg.is_offset ? !is_kept(leg) : furthest_move(leg, begin, end) > snap_) {
-        return part_nearest_offset(begin);
+      if (leg.is_offset ? !is_kept(leg) : furthest_move(leg, begin, end) > kAsWide * snap_) {
+        return part_nearest_offset(is_offset(links_.seams[end]) ? end : begin);
       }
       begin = end;
     }
@@ -340,13 +342,13 @@ class ChainMaker {
     const Vec3 &from = begin_of(spans_, leg.elements[0]).point,
                &to = end_of(spans_, leg.elements[0]).point;
     const Vec3 way = leg.circles[1] - leg.circles[0];
-    return (leg.circles[0] - from).norm() <= snap_ && (leg.circles[1] - to).norm() <= snap_ &&
+    return (leg.circles[0] - from).norm() <= kAsWide * snap_ &&
+           (leg.circles[1] - to).norm() <= kAsWide * snap_ &&
            way.dot(leg.direction) > kKeptLength * (to - from).dot(leg.direction);
   }
 
-  // Those in a row behind element i or, if there are none, before it.
-  bool part_nearest_offset(std::size_t i) {
-    std::size_t begin = i + 1;
+  // Those in a row about this seam, or the last ones before it, or the first ones behind it.
+  bool part_nearest_offset(std::size_t begin) {
     while (begin > 0 && !is_offset(links_.seams[begin])) {
       --begin;
     }

@@ -153,6 +153,31 @@ TEST(PipingMoves, are_small_at_the_far_ends_of_pipes_beside_eccentric_parts) {
   }
 }
 
+// Each pipe may be turned, but not both with the same axis.
+TEST(PipingMoves, are_not_made_for_circles_of_eccentric_parts_to_be_parallel) {
+  for (const double tilt : {.04, .15}) {
+    Line line;
+    line.pipe({-2000, tilt, 0}, {-1000, tilt / 2, 0}).pipe({-1000, tilt / 2, 0}, {0, 0, 0});
+    eccentric(line, {0, 0, 0}, {150, 0, -20}, 50, 30);
+    line.pipe({150, 0, -20}, {10150, 0, -20}, 30);
+    const PipingNetwork network = line.made();
+    EXPECT_EQ(kind(part(network, "c2").shape), tilt < .1 ? "oblique" : "cone");
+    EXPECT_LE(network.largest_move, .05);
+    (void)solid(network);
+  }
+}
+
+TEST(PipingMoves, may_be_as_large_as_the_snap_tolerance_beside_eccentric_parts) {
+  for (const double at : {0., 4890., 123456.}) {
+    Line line;
+    eccentric(line, {at, .1, 573}, {at + 30, .1, 657.4}, 30, 57);
+    line.pipe({at + 30, .2, 657.4}, {at + 30, .2, 1657.4}, 57);
+    const PipingNetwork network = line.made({.snap = .2 - .1});
+    EXPECT_EQ(kind(part(network, "c0").shape), "oblique") << at;
+    EXPECT_NEAR(network.largest_move, .1, 1e-9);
+  }
+}
+
 // A concentric reducer may be one of those in a row.
 TEST(PipingMoves, keep_rows_of_reducers_on_the_axis_that_follows) {
   Line line;
