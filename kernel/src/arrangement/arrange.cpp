@@ -22,9 +22,10 @@
 namespace dupin::arrangement {
 namespace {
 
-std::vector<TrianglePair> candidates_of(const ArrangementInput& input, const Progress& progress) {
+std::vector<TrianglePair> candidates_of(const ArrangementInput& input, const Progress& progress,
+                                        std::uint64_t memory_limit = 0) {
   const UpwardRounding rounding;
-  return broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
+  return broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2), memory_limit);
 }
 
 Intersections find_intersections(const ArrangementInput& input,
@@ -34,8 +35,9 @@ Intersections find_intersections(const ArrangementInput& input,
                             support::ProgressStage(progress, "intersect", 0.2, 0.4));
 }
 
-Intersections intersections_of(const ArrangementInput& input, const Progress& progress) {
-  return find_intersections(input, candidates_of(input, progress), progress);
+Intersections intersections_of(const ArrangementInput& input, const Progress& progress,
+                               std::uint64_t memory_limit) {
+  return find_intersections(input, candidates_of(input, progress, memory_limit), progress);
 }
 
 Constraints constraints_of(ArrangementInput& input, const Intersections& intersections,
@@ -187,7 +189,8 @@ bool are_samples_crowded(const ArrangementInput& all) {
 mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
                         const Progress& progress, std::uint64_t memory_limit) {
   ArrangementInput input = imported_within(operands, rule, memory_limit);
-  return arrange(input, intersections_of(input, progress), rule, progress, memory_limit);
+  return arrange(input, intersections_of(input, progress, memory_limit), rule, progress,
+                 memory_limit);
 }
 
 std::optional<mesh::ExactMesh> arrange_unless_crowded(
@@ -197,7 +200,7 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
   if (is_sample_crowded(input) || are_samples_crowded(input)) {
     return std::nullopt;
   }
-  std::vector<TrianglePair> candidates = candidates_of(input, progress);
+  std::vector<TrianglePair> candidates = candidates_of(input, progress, memory_limit);
   if (crowded(input, candidates) || are_faces_crowded(input, candidates)) {
     return std::nullopt;
   }
@@ -210,7 +213,8 @@ mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operan
                                   const BooleanRule& rule, const Progress& progress,
                                   std::uint64_t memory_limit) {
   ArrangementInput input = imported_within(operands, rule, memory_limit);
-  return arrange(input, intersections_of(input, progress), rule, progress, memory_limit, true);
+  return arrange(input, intersections_of(input, progress, memory_limit), rule, progress,
+                 memory_limit, true);
 }
 
 namespace {
@@ -226,7 +230,7 @@ WoundSurface wound_surface(const mesh::ExactMesh& surface, const BooleanRule& ru
   } else {
     mark_all_but_lone_fans(input);
   }
-  return arrange_with_rest(input, intersections_of(input, progress), rule, progress, 0);
+  return arrange_with_rest(input, intersections_of(input, progress, 0), rule, progress, 0);
 }
 
 }  // namespace
@@ -252,7 +256,7 @@ mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::Ex
     std::fill(input.special.begin() + (*first)[1], input.special.begin() + (*first)[2],
               std::uint8_t{1});
   }
-  return arrange(input, intersections_of(input, {}), rule, {}, 0);
+  return arrange(input, intersections_of(input, {}, 0), rule, {}, 0);
 }
 
 BooleanRule union_rule(std::size_t operands) {

@@ -1,6 +1,7 @@
 #include "arrangement/broad_phase.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "boxes/main_directions.h"
 #include "boxes/tree_traversal.h"
 #include "support/blocks.h"
+#include "support/operation_limits.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
@@ -480,14 +482,22 @@ class Finder {
 }  // namespace
 
 std::vector<TrianglePair> broad_phase(const ArrangementInput& input,
-                                      const support::ProgressStage& stage) {
+                                      const support::ProgressStage& stage,
+                                      std::uint64_t memory_limit) {
   const Finder finder(input);
+  const std::uint64_t most = support::most_candidates(memory_limit);
+  std::atomic<std::uint64_t> count{0};
   std::vector<std::vector<TrianglePair>> found(input.operand_pairs.size());
   support::for_each_in_parallel(found.size(), [&](std::size_t i) {
     const UpwardRounding rounding;
-    found[i] = finder.pairs(input.operand_pairs[i][0], input.operand_pairs[i][1]);
+    std::vector<TrianglePair> own =
+        finder.pairs(input.operand_pairs[i][0], input.operand_pairs[i][1]);
+    if (count.fetch_add(own.size()) + own.size() <= most) {
+      found[i] = std::move(own);
+    }
     stage.step(found.size());
   });
+  support::refuse_too_many_candidates(input.triangles.size(), count, memory_limit);
   return support::joined(std::move(found));
 }
 

@@ -20,8 +20,10 @@ struct TrianglePair {
 
 /// Stage 2: for each pair of operands in question, pairs of triangles whose boxes overlap, every
 /// pair that meets among them, but of one operand those that have a corner in common and no more;
-/// merged triangles left out. In a fixed order.
+/// merged triangles left out. In a fixed order. `memory_limit` is in bytes, 0 for the machine's:
+/// what is beyond it is counted only, and Error{limit_exceeded} thrown.
 [[nodiscard]] std::vector<TrianglePair> broad_phase(const ArrangementInput& input,
-                                                    const support::ProgressStage& stage);
+                                                    const support::ProgressStage& stage,
+                                                    std::uint64_t memory_limit = 0);
 
 }  // namespace dupin::arrangement

@@ -16,4 +16,10 @@ void refuse_too_many(std::uint64_t points, std::uint64_t triangles);
 /// memory.
 void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std::uint64_t limit);
 
+/// The same of the pairs whose boxes overlap, which are searched for those that meet.
+void refuse_too_many_candidates(std::uint64_t triangles, std::uint64_t pairs, std::uint64_t limit);
+
+/// Of more there is none that would not be refused.
+[[nodiscard]] std::uint64_t most_candidates(std::uint64_t limit);
+
 }  // namespace dupin::support

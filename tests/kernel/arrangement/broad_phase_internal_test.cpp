@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
@@ -8,6 +9,7 @@
 
 #include "dupin/kernel/boolean.h"
 #include "kernel/arrangement/stages_internal.h"
+#include "support/message_of.h"
 #include "support/pipe_cases.h"
 
 namespace dupin::arrangement {
@@ -81,6 +83,25 @@ TEST(Candidates, are_few_where_slanted_tubes_cross) {
                         turned(test::tube(1, -40, 40, 256), 2.1, {3, -1, 1})});
   const std::size_t all = 1020 * 1020;
   EXPECT_LT(s.candidates().size(), all / 8);
+}
+
+// And says how much would do, of whatever number of threads.
+TEST(Candidates, are_no_more_than_memory_holds) {
+  const std::vector<Solid> pipes = test::solids_of(test::pipe_case("star_general_10"));
+  const std::vector<const mesh::ExactMesh*> operands = test::operands_of(pipes);
+  const UpwardRounding rounding;
+  const ArrangementInput input = load_operands(operands, union_rule(operands.size()));
+  const Progress silent;
+  const support::ProgressStage stage(silent, "test", 0, 1);
+  const std::vector<TrianglePair> all = broad_phase(input, stage);
+  const std::string message =
+      test::message_of([&] { (void)broad_phase(input, stage, all.size() * 15); });
+  EXPECT_NE(message.find(" " + std::to_string(all.size()) + " pairs overlap, would need about "),
+            std::string::npos)
+      << message;
+  const std::size_t at = message.find("about ") + 6;
+  const double megabytes = std::stod(message.substr(at));
+  EXPECT_EQ(broad_phase(input, stage, static_cast<std::uint64_t>(megabytes * 1e6) + 1), all);
 }
 
 // Two unions of pipes through one point: thousands of long triangles in all directions, whose boxes

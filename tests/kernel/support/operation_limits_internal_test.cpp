@@ -52,6 +52,19 @@ TEST(Limits, of_the_machine_hold_where_none_is_given) {
   EXPECT_NE(refusal([] { refuse_too_large(std::uint64_t{1} << 50, 0, 0); }), "");
 }
 
+TEST(Limits, of_memory_grow_with_pairs_of_boxes) {
+  for (const std::uint64_t limit : {1600U, 1000000U, 123456789U}) {
+    const std::uint64_t most = most_candidates(limit);
+    EXPECT_EQ(refusal([&] { refuse_too_many_candidates(0, most, limit); }), "");
+    EXPECT_NE(refusal([&] { refuse_too_many_candidates(0, most + 1, limit); }), "");
+    EXPECT_NE(refusal([&] { refuse_too_many_candidates(limit / 100, most, limit); }), "");
+  }
+  EXPECT_EQ(refusal([] { refuse_too_many_candidates(1000, 1000000, 0); }), "");
+  EXPECT_EQ(refusal([] { refuse_too_many_candidates(5, 1000000, 1000000); }),
+            "the boolean operation on 5 triangles, of whose boxes 1000000 pairs overlap, would "
+            "need about 16.001 MB of memory; allowed are 1 MB");
+}
+
 TEST(Limits, are_told_in_numbers) {
   const std::string text = refusal([] { refuse_too_large(5000000, 70, 1000000); });
   EXPECT_NE(text.find("5000000 triangles"), std::string::npos) << text;
