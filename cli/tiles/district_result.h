@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct DistrictResult {
   Built built;  ///< without its solid
   DistrictOutput output;
 };
+
+/// Of a piece that cannot be made with its ends at these seams: nothing.
+[[nodiscard]] inline DistrictResult unfit_result(std::span<const Seam> seams) {
+  return {{}, unfit_output(seams.size())};
+}
 
 /// It as bytes, to be kept or sent. Parts are told by their places among `parts`, ascending, so
 /// that a document may count them otherwise later. Findings of its check, which is that of a solid,

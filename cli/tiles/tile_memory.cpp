@@ -58,15 +58,15 @@ bool TileMemory::is_short(const Processes& processes, std::span<const std::size_
     return false;
   }
   take_from_owners(processes, is_short_, [&](std::size_t i) { return owners[i]; });
-  bool is_any = false;
+  was_short_ = false;
   for (std::size_t i = 0; i < bytes_.size(); ++i) {
     if (is_short_[i] != 0) {
       bytes_[i] = all_;
-      is_any = true;
+      was_short_ = true;
     }
   }
   std::ranges::fill(is_short_, 0);
-  return is_any;
+  return was_short_;
 }
 
 }  // namespace dupin::cli

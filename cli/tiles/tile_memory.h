@@ -34,14 +34,26 @@ class TileMemory {
       std::size_t district, const Boxes& boxes,
       const std::function<DistrictResult(std::uint64_t)>& make);
   /// Whether some have to be alone that were not: tiles have to be divided again. All processes
-  /// call it, given which make what.
+  /// call it, given which make what, at the end of an attempt.
   [[nodiscard]] bool is_short(const Processes& processes, std::span<const std::size_t> owners);
+  /// What comes of the first attempt that was not short; `divide` before each other one.
+  template <class Attempt, class Divide>
+  [[nodiscard]] auto until_enough(const Attempt& attempt, const Divide& divide) {
+    while (true) {
+      auto made = attempt();
+      if (!was_short_) {
+        return made;
+      }
+      divide();
+    }
+  }
 
  private:
   double all_ = 0;
   std::vector<double> bytes_;
   std::vector<double> limits_;
-  std::vector<std::uint8_t> is_short_;
+  std::vector<std::uint8_t> is_short_;  // per district
+  bool was_short_ = false;              // the last attempt
   std::string source_, remedy_;
 };
 

@@ -121,14 +121,11 @@ class TiledBuild {
 
   // Nothing where pieces do not fit, which misfits() tells.
   std::optional<TiledBuilt> run(const MeshHeader& header, const TileArguments& arguments) {
-    while (true) {
-      auto built = attempt(header);
-      if (!is_short_) {
-        return built;
-      }
-      seams_ = SeamCheck(plan_.seams());
-      divide(arguments);
-    }
+    return memory_.until_enough([&] { return attempt(header); },
+                                [&] {
+                                  seams_ = SeamCheck(plan_.seams());
+                                  divide(arguments);
+                                });
   }
 
   // Names of seams.
@@ -165,8 +162,8 @@ class TiledBuild {
       share_tile(owners, ranks_,
                  {.made =
                       [&](std::size_t i) {
-                        return result(begin + i).value_or(
-                            DistrictResult{{}, unfit_output(seams_.of(begin + i).size())});
+                        auto own = result(begin + i);
+                        return own ? *std::move(own) : unfit_result(seams_.of(begin + i));
                       },
                   .parts = [&](std::size_t i) { return plan_.parts(begin + i); },
                   .taken =
@@ -180,8 +177,7 @@ class TiledBuild {
       begin = end;
       ++tiles;
     }
-    is_short_ = memory_.is_short(ranks_, owners_);
-    if (is_short_ || !misfits().empty()) {
+    if (memory_.is_short(ranks_, owners_) || !misfits().empty()) {
       file.abandon();
       return std::nullopt;
     }
@@ -290,7 +286,6 @@ class TiledBuild {
   std::string options_text_;
   std::vector<double> triangles_;  // expected of districts, where that is asked for
   TileMemory memory_;
-  bool is_short_ = false;            // an attempt was, somewhere
   std::vector<std::size_t> ends_;    // of tiles, behind their last districts
   std::vector<std::size_t> owners_;  // the ranks that make districts
 };

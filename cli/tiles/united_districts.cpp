@@ -140,14 +140,11 @@ class UnionInTiles {
 
   // Nothing where pieces do not fit: at cuts of misfits().
   std::optional<OutputReport> run() {
-    while (true) {
-      auto report = attempt();
-      if (!is_short_) {
-        return report;
-      }
-      seams_ = SeamCheck(districts_.seams);
-      alike(ranks_, [&] { divide(); });
-    }
+    return memory_.until_enough([&] { return attempt(); },
+                                [&] {
+                                  seams_ = SeamCheck(districts_.seams);
+                                  alike(ranks_, [&] { divide(); });
+                                });
   }
 
   // Operands that were cut where pieces do not fit.
@@ -201,8 +198,7 @@ class UnionInTiles {
                       }});
       begin = end;
     }
-    is_short_ = memory_.is_short(ranks_, owners_);
-    if (is_short_ || !seams_.misfits().empty()) {
+    if (memory_.is_short(ranks_, owners_) || !seams_.misfits().empty()) {
       file.abandon();
       return std::nullopt;
     }
@@ -241,7 +237,7 @@ class UnionInTiles {
     for (const OperandStretch& stretch : districts_.stretches[district]) {
       auto own = solid_of(stretch, district);
       if (!own) {
-        return {{}, unfit_output(seams.size())};
+        return unfit_result(seams);
       }
       operands.push_back(*std::move(own));
     }
@@ -254,7 +250,7 @@ class UnionInTiles {
                                       rounding_, task_.contacts, seams);
       return result;
     });
-    return std::move(united).value_or(DistrictResult{{}, unfit_output(seams.size())});
+    return united ? *std::move(united) : unfit_result(seams);
   }
 
   // Of stretches of one operand, the first one's district notes what was mended.
@@ -303,7 +299,6 @@ class UnionInTiles {
   std::vector<RepairReport> repairs_;  // per operand
   std::vector<std::size_t> first_of_;  // likewise: the first district that has some of it
   TileMemory memory_;
-  bool is_short_ = false;            // an attempt was, somewhere
   std::vector<std::size_t> ends_;    // of tiles, behind their last districts
   std::vector<std::size_t> owners_;  // the ranks that make districts
 };
