@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "assembly/pipe_starts.h"
+#include "assembly/parts/pipe_starts.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/resolve.h"
 

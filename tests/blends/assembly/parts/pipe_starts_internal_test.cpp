@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assembly/pipe_starts.h"
+#include "assembly/parts/pipe_starts.h"
 #include "io/json/facing_pipes.h"
 
 namespace dupin::assembly {

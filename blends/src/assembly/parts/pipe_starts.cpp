@@ -1,4 +1,4 @@
-#include "assembly/pipe_starts.h"
+#include "assembly/parts/pipe_starts.h"
 
 #include <variant>
 
