@@ -72,7 +72,8 @@ def lint(build, file):
     ignored = ["--extra-arg=-Wno-unused-command-line-argument", "--extra-arg=-Wno-unknown-warning-option"]
     result = subprocess.run(["clang-tidy", "--quiet", "-p", build, *ignored, str(file)],
                             capture_output=True, text=True)
-    return result.returncode, result.stdout
+    # What stops it altogether is said on the other stream.
+    return result.returncode, result.stdout or result.stderr
 
 
 def main():
@@ -97,10 +98,10 @@ def main():
         for command in commands:
             command["command"] = without_precompiled(command["command"])
         (pathlib.Path(plain) / "compile_commands.json").write_text(json.dumps(commands))
-        for code, output in pool.map(lambda file: lint(plain, file), chosen):
+        for file, (code, output) in zip(chosen, pool.map(lambda file: lint(plain, file), chosen)):
             if code != 0:
                 status = 1
-                print(output, end="")
+                print(output or f"{file}: clang-tidy ends with {code}\n", end="")
     print(f"clang-tidy: {len(chosen)} of {len(ours)} files, {'faults' if status else 'clean'}")
     return status
 

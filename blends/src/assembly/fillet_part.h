@@ -15,7 +15,7 @@ namespace dupin::assembly {
 struct PipeWalls {
   std::array<double, 2> walls{};    ///< 0 of a pipe without a bore
   std::array<double, 2> outward{};  ///< by how much the outer radius is more than what it says
-  PipeStarts starts{};
+  PipeStarts starts;
 };
 
 /// The fillet of a ball of this radius between two straight pipes or cones of circular sections:

@@ -20,7 +20,7 @@ struct BranchStart {
 
 /// How a document says where two pipes begin and end: what of it can be changed.
 struct PipeStarts {
-  std::array<std::array<std::string, 2>, 2> joined{};  ///< the port at each end; empty if none
+  std::array<std::array<std::string, 2>, 2> joined;  ///< the port at each end; empty if none
   std::optional<BranchStart> on = {};
 };
 
