@@ -119,10 +119,11 @@ Result result_of(const Task& task, std::span<const Solid> operands, const Boxes&
   return {united_districts(operands, districts, options), std::move(districts.boxes)};
 }
 
-OutputReport write_result(const Result& result, const Destination& to,
+OutputReport write_result(const Result& result, Destination to, const CommonOptions& common,
                           const RoundingOptions& rounding, const MeshHeader& header,
                           const ContactChoice& contacts, const Progress& progress) {
   if (result.solids.size() == 1) {
+    to.is_measured = common.wants_report();
     return write_solid(result.solids.front(), to, rounding, header, contacts, progress);
   }
   tell(progress, "round");
@@ -203,7 +204,7 @@ OutputReport at_once(const std::vector<std::string>& files, const OperandArgumen
           result.solids.size() == 1 ? result.solids.front() : joined(result.solids, result.boxes),
           *engine, operands, line.callback());
     }
-    report = write_result(result, to, rounding, header, contacts, progress);
+    report = write_result(result, to, common, rounding, header, contacts, progress);
     report.cross_check = std::move(check);
   }
   report.repairs = std::move(repairs);

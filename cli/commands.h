@@ -16,6 +16,8 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   std::string tolerance;  ///< of surfaces, as typed; empty when not given
+
+  [[nodiscard]] bool wants_report() const { return json || !quiet; }
 };
 
 /// What the chosen command will do once the whole command line has been read.

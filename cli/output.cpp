@@ -57,15 +57,23 @@ void write_bytes(const std::string& bytes, const Destination& to) {
   to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes);
 }
 
-/// Returns the measures of a mesh that the file gives back as rounding has proved it.
-Report write_compared(const Rounded& rounded, const Destination& to, const MeshHeader& header,
-                      const Progress& progress) {
+Report measured(const Rounded& rounded, const Destination& to, const Progress& progress) {
   tell(progress, "measure");
   Report report = check(rounded);
   if (!report.is_solid()) {
     throw Error(Errc::internal,
                 "internal error, please report it: rounding gave a mesh that is no solid", {},
                 shown(to));
+  }
+  return report;
+}
+
+/// Returns the measures of a mesh that the file gives back as rounding has proved it.
+std::optional<Report> write_compared(const Rounded& rounded, const Destination& to,
+                                     const MeshHeader& header, const Progress& progress) {
+  std::optional<Report> report;
+  if (to.is_measured) {
+    report = measured(rounded, to, progress);
   }
   if (to.is_stdout()) {
     write_stdout(verified_bytes("standard output", rounded, to.format, header, progress));

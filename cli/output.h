@@ -27,6 +27,9 @@ struct Destination {
   MeshFormat format = kOff;
   Verification verification = Verification::compare;
   std::string patches = {};  ///< the file beside it that lists its patches; empty: none
+  /// Whether a report tells the measures of what is written; it is the solid that rounding has
+  /// proved in any case.
+  bool is_measured = true;
 
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };

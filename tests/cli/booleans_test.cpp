@@ -62,7 +62,14 @@ TEST_F(MeshCommands, timing_goes_to_standard_error_beside_a_text) {
   EXPECT_EQ(plain.err, "");
   EXPECT_EQ(timed.out, plain.out);
   EXPECT_THAT(timed.err, testing::StartsWith("read  "));
+  EXPECT_THAT(timed.err, HasSubstr("\nmeasure  "));
   EXPECT_THAT(timed.err, HasSubstr("\nverify  "));
+  const ProcessResult unread =
+      dupin({"subtract", "a.off", "b.off", "-o", "quiet.off", "-q", "--timing"});
+  EXPECT_EQ(unread.out, "");
+  EXPECT_THAT(unread.err, testing::Not(HasSubstr("\nmeasure  ")));
+  EXPECT_THAT(unread.err, HasSubstr("\nverify  "));
+  EXPECT_EQ(shell("cmp quiet.off c.off").exit_code, 0);
   const ProcessResult unverified = dupin(
       {"union", "a.off", "b.off", "-o", "-", "--format", "off", "-q", "--no-verify", "--timing"});
   EXPECT_THAT(unverified.err, HasSubstr("\nwrite  "));

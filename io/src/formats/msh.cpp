@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/volume_points.h"
+#include "text/append_each.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
 
@@ -43,12 +44,12 @@ std::string text_before_elements(const TriMesh& mesh, const std::vector<Vec3>& p
     text += "$EndPhysicalNames\n";
   }
   text += "$Nodes\n" + std::to_string(points.size()) + '\n';
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    append_decimal(text, i + 1);
-    text += ' ';
-    text::append_point(text, points[i]);
-    text += '\n';
-  }
+  text::append_each(text, points.size(), [&](std::string& end, std::size_t i) {
+    append_decimal(end, static_cast<std::uint32_t>(i + 1));
+    end += ' ';
+    text::append_point(end, points[i]);
+    end += '\n';
+  });
   return text + "$EndNodes\n";
 }
 
@@ -62,12 +63,12 @@ void append_corners(std::string& text, const Corners& corners) {
 }
 
 void append_triangles(std::string& text, const TriMesh& mesh) {
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    append_decimal(text, i + 1);
+  text::append_each(text, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    append_decimal(end, static_cast<std::uint32_t>(i + 1));
     const std::uint32_t physical = mesh.labels.empty() ? 0 : mesh.labels[i] + 1;
-    text += " 2 2 " + std::to_string(physical) + ' ' + std::to_string(std::max(1U, physical));
-    append_corners(text, mesh.triangles[i]);
-  }
+    end += " 2 2 " + std::to_string(physical) + ' ' + std::to_string(std::max(1U, physical));
+    append_corners(end, mesh.triangles[i]);
+  });
 }
 
 Evidence recognise(std::string_view bytes) {
@@ -96,14 +97,13 @@ std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   std::string text = text_before_elements(surface, formats::writable_points(mesh), header, true);
   text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';
   append_triangles(text, surface);
-  auto element = static_cast<std::uint32_t>(surface.triangles.size());
   const std::string number = std::to_string(volume_group(surface));
   const std::string group = " 4 2 " + number + ' ' + number;
-  for (const Tetrahedron& tetrahedron : mesh.tetrahedra) {
-    append_decimal(text, ++element);
-    text += group;
-    append_corners(text, tetrahedron);
-  }
+  text::append_each(text, mesh.tetrahedra.size(), [&](std::string& end, std::size_t i) {
+    append_decimal(end, static_cast<std::uint32_t>(surface.triangles.size() + i + 1));
+    end += group;
+    append_corners(end, mesh.tetrahedra[i]);
+  });
   return text + "$EndElements\n";
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/split_points.h"
+#include "text/append_each.h"
 #include "text/byte_order_mark.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
@@ -180,15 +181,16 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
 namespace {
 
 void append_normals(std::string& text, const std::vector<Direction>& normals) {
-  for (const auto& [x, y, z] : normals) {
-    text += "vn ";
-    append_decimal(text, x);
-    text += ' ';
-    append_decimal(text, y);
-    text += ' ';
-    append_decimal(text, z);
-    text += '\n';
-  }
+  text::append_each(text, normals.size(), [&](std::string& end, std::size_t i) {
+    const auto& [x, y, z] = normals[i];
+    end += "vn ";
+    append_decimal(end, x);
+    end += ' ';
+    append_decimal(end, y);
+    end += ' ';
+    append_decimal(end, z);
+    end += '\n';
+  });
 }
 
 /// What no reader takes for the beginning of a longer line.
@@ -223,11 +225,11 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
       header.normals.empty() ? formats::SplitPoints() : formats::split_points(mesh, header.normals);
   text.reserve(text.size() + points.size() * 62 + shaded.normals.size() * 40 +
                mesh.triangles.size() * (shaded.normals.empty() ? 26 : 52));
-  for (const Vec3& point : points) {
-    text += "v ";
-    text::append_point(text, point);
-    text += '\n';
-  }
+  text::append_each(text, points.size(), [&](std::string& end, std::size_t i) {
+    end += "v ";
+    text::append_point(end, points[i]);
+    end += '\n';
+  });
   append_normals(text, shaded.normals);
   const auto groups = text::triangles_by_label(mesh);
   const std::vector<std::string> names = text::written_names(mesh.names, closed_line);
@@ -235,10 +237,11 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
     if (!mesh.labels.empty() && !groups[group].empty()) {
       text += "g " + names[group] + '\n';
     }
-    for (const std::uint32_t index : groups[group]) {
-      append_face(text, mesh.triangles[index],
+    text::append_each(text, groups[group].size(), [&](std::string& end, std::size_t i) {
+      const std::uint32_t index = groups[group][i];
+      append_face(end, mesh.triangles[index],
                   shaded.normals.empty() ? nullptr : &shaded.triangles[index]);
-    }
+    });
   }
   return text;
 }

@@ -1,12 +1,17 @@
 #include "dupin/io/off.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <exception>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dupin/kernel/parallel.h"
+#include "text/append_each.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
 #include "text/text_scanner.h"
@@ -107,6 +112,93 @@ void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
   text::triangulate(corners, mesh.points, mesh.triangles, [&] { return scanner.place(place); });
 }
 
+/// The lines of points and triangles of a file, cut into pieces of whole lines.
+struct Lines {
+  std::vector<std::size_t> begins;   ///< of pieces, and the file's end
+  std::vector<std::size_t> numbers;  ///< how many lines lie before each of them
+};
+
+Lines cut_lines(std::string_view bytes, std::size_t begin) {
+  constexpr std::size_t kPiece = std::size_t{1} << 18;
+  Lines lines{{begin}, {0}};
+  while (lines.begins.back() < bytes.size()) {
+    const std::size_t end = bytes.find('\n', lines.begins.back() + kPiece);
+    lines.begins.push_back(std::min(end, bytes.size() - 1) + 1);
+  }
+  lines.numbers.resize(lines.begins.size());
+  for_each_in_parallel(lines.begins.size() - 1, [&](std::size_t i) {
+    lines.numbers[i + 1] = static_cast<std::size_t>(
+        std::count(bytes.begin() + static_cast<std::ptrdiff_t>(lines.begins[i]),
+                   bytes.begin() + static_cast<std::ptrdiff_t>(lines.begins[i + 1]), '\n'));
+  });
+  std::partial_sum(lines.numbers.begin(), lines.numbers.end(), lines.numbers.begin());
+  return lines;
+}
+
+Triangle read_triangle(text::TextScanner& scanner, std::size_t points,
+                       std::vector<Triangle>& room) {
+  room.clear();
+  if (scanner.take_triangle('3', 0, points, room)) {
+    return room.front();
+  }
+  (void)scanner.integer(3, 3, "a triangle");
+  Triangle triangle;
+  for (std::uint32_t& corner : triangle) {
+    corner = static_cast<std::uint32_t>(
+        scanner.integer(0, static_cast<std::int64_t>(points) - 1, "the index of a vertex"));
+  }
+  scanner.end_line("the end of the line");
+  return triangle;
+}
+
+/// Reads the lines up to `end`, the first of them of this number, if each is that of one point or
+/// of one triangle. May throw if not.
+bool read_lines(text::TextScanner& scanner, std::size_t end, std::size_t number, TriMesh& mesh) {
+  std::vector<Triangle> room;
+  for (; scanner.position() < end; ++number) {
+    if (number < mesh.points.size()) {
+      mesh.points[number] = scanner.vector("a coordinate");
+      scanner.end_line("the end of the line behind a vertex");
+    } else {
+      mesh.triangles.at(number - mesh.points.size()) =
+          read_triangle(scanner, mesh.points.size(), room);
+    }
+  }
+  return scanner.position() == end;
+}
+
+/// Reads points and triangles by pieces, in parallel, if each has a line of its own, as in most
+/// files. False if not so.
+bool read_pieces(std::string_view bytes, std::size_t begin, const Counts& counts, TriMesh& mesh) {
+  constexpr std::size_t kMany = 10000;
+  if (counts.points + counts.faces < kMany) {
+    return false;
+  }
+  const Lines lines = cut_lines(bytes, begin);
+  if (lines.numbers.back() != counts.points + counts.faces || bytes.back() != '\n') {
+    return false;
+  }
+  mesh.points.resize(counts.points);
+  mesh.triangles.resize(counts.faces);
+  std::atomic<bool> is_regular{true};
+  for_each_in_parallel(lines.numbers.size() - 1, [&](std::size_t i) {
+    if (!is_regular) {
+      return;
+    }
+    const UsualArithmetic usual;
+    text::TextScanner scanner(bytes, {}, '#');
+    scanner.move_to(lines.begins[i]);
+    try {
+      if (!read_lines(scanner, lines.begins[i + 1], lines.numbers[i], mesh)) {
+        is_regular = false;
+      }
+    } catch (const std::exception&) {  // reading line by line says what
+      is_regular = false;
+    }
+  });
+  return is_regular;
+}
+
 Evidence recognise(std::string_view bytes) {
   text::TextScanner scanner(bytes, {}, '#');
   scanner.skip_space();
@@ -120,6 +212,10 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
   const bool has_extras = read_keyword(scanner);
   const Counts counts = read_counts(scanner);
   TriMesh mesh;
+  if (!has_extras && read_pieces(bytes, scanner.position(), counts, mesh)) {
+    return mesh;
+  }
+  mesh = {};
   mesh.points.reserve(counts.points);
   for (std::size_t i = 0; i < counts.points; ++i) {
     scanner.skip_space();
@@ -149,18 +245,18 @@ std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
   std::string text = "OFF\n" + text::header_lines(header, "# ");
   text.reserve(text.size() + 64 + points.size() * 60 + mesh.triangles.size() * 26);
   text += std::to_string(points.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
-  for (const Vec3& point : points) {
-    text::append_point(text, point);
-    text += '\n';
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    text += '3';
-    for (const std::uint32_t corner : triangle) {
-      text += ' ';
-      append_decimal(text, corner);
+  text::append_each(text, points.size(), [&](std::string& end, std::size_t i) {
+    text::append_point(end, points[i]);
+    end += '\n';
+  });
+  text::append_each(text, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    end += '3';
+    for (const std::uint32_t corner : mesh.triangles[i]) {
+      end += ' ';
+      append_decimal(end, corner);
     }
-    text += '\n';
-  }
+    end += '\n';
+  });
   return text;
 }
 

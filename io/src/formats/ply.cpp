@@ -14,6 +14,7 @@
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
+#include "text/append_each.h"
 #include "text/byte_order_mark.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
@@ -370,27 +371,26 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
                                               header, formats::PlyEncoding::ascii);
   text.reserve(text.size() + vertices.points.size() * (vertices.have_normals() ? 110 : 60) +
                mesh.triangles.size() * 32);
-  for (std::size_t i = 0; i < vertices.points.size(); ++i) {
-    append_vertex(text, vertices, i);
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    text += '3';
+  text::append_each(text, vertices.points.size(),
+                    [&](std::string& end, std::size_t i) { append_vertex(end, vertices, i); });
+  text::append_each(text, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    end += '3';
     for (const std::uint32_t corner : vertices.triangles(mesh)[i]) {
-      text += ' ';
-      append_decimal(text, corner);
+      end += ' ';
+      append_decimal(end, corner);
     }
     if (!mesh.labels.empty()) {
-      text += ' ';
-      append_decimal(text, mesh.labels[i]);
+      end += ' ';
+      append_decimal(end, mesh.labels[i]);
     }
     if (!colours.empty()) {
       for (const std::uint8_t channel : colours[mesh.labels[i]]) {
-        text += ' ';
-        append_decimal(text, std::uint32_t{channel});
+        end += ' ';
+        append_decimal(end, std::uint32_t{channel});
       }
     }
-    text += '\n';
-  }
+    end += '\n';
+  });
   return text;
 }
 
@@ -401,17 +401,17 @@ std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
                                                header, formats::PlyEncoding::little_endian);
   bytes.reserve(bytes.size() + vertices.points.size() * (vertices.have_normals() ? 40 : 24) +
                 mesh.triangles.size() * 17);
-  for (std::size_t i = 0; i < vertices.points.size(); ++i) {
+  text::append_each(bytes, vertices.points.size(), [&](std::string& end, std::size_t i) {
     const std::uint32_t number = vertices.point_of(i);
-    formats::store_ply_vertex(bytes, vertices.points[i],
+    formats::store_ply_vertex(end, vertices.points[i],
                               vertices.have_normals() ? &vertices.split.normals[i] : nullptr,
                               vertices.have_copies() ? &number : nullptr);
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    formats::store_ply_face(bytes, vertices.triangles(mesh)[i],
+  });
+  text::append_each(bytes, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    formats::store_ply_face(end, vertices.triangles(mesh)[i],
                             mesh.labels.empty() ? nullptr : &mesh.labels[i],
                             colours.empty() ? nullptr : &colours[mesh.labels[i]]);
-  }
+  });
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 
 #include "dupin/io/stl.h"
 #include "formats/stl_facet.h"
+#include "text/append_each.h"
 #include "text/mesh_text.h"
 #include "text/point_merger.h"
 #include "text/text_scanner.h"
@@ -167,18 +168,18 @@ std::string stl_ascii_text(const TriMesh& mesh) {
       continue;
     }
     text += "solid " + name + '\n';
-    for (const std::uint32_t index : groups[group]) {
-      const Triangle& triangle = mesh.triangles[index];
-      text += "facet normal ";
-      text::append_point(text, formats::facet_normal(triangle, points));
-      text += "\nouter loop\n";
+    text::append_each(text, groups[group].size(), [&](std::string& end, std::size_t i) {
+      const Triangle& triangle = mesh.triangles[groups[group][i]];
+      end += "facet normal ";
+      text::append_point(end, formats::facet_normal(triangle, points));
+      end += "\nouter loop\n";
       for (const std::uint32_t corner : triangle) {
-        text += "vertex ";
-        text += texts[corner];
-        text += '\n';
+        end += "vertex ";
+        end += texts[corner];
+        end += '\n';
       }
-      text += "endloop\nendfacet\n";
-    }
+      end += "endloop\nendfacet\n";
+    });
     text += "endsolid " + name + '\n';
   }
   return text.empty() ? "solid \nendsolid \n" : text;

@@ -13,6 +13,7 @@
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "formats/stl_facet.h"
+#include "text/append_each.h"
 #include "text/known_unit.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -195,16 +196,17 @@ std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
       formats::stl_binary_preamble(is_named ? mesh.names.front() : std::string(), header,
                                    static_cast<std::uint32_t>(mesh.triangles.size()));
   bytes.reserve(kStlPreamble + mesh.triangles.size() * kStlFacet);
-  for (const Triangle& triangle : mesh.triangles) {
+  text::append_each(bytes, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    const Triangle& triangle = mesh.triangles[i];
     std::array<float, 12> numbers;
     Eigen::Map<Eigen::Matrix<float, 3, 4>> columns(numbers.data());
     columns.col(0) = formats::facet_normal(triangle, points);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       columns.col(static_cast<Eigen::Index>(corner) + 1) = points[triangle[corner]].cast<float>();
     }
-    text::store(bytes, numbers);
-    text::store(bytes, std::uint16_t{0});
-  }
+    text::store(end, numbers);
+    text::store(end, std::uint16_t{0});
+  });
   return bytes;
 }
 

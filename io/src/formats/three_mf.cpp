@@ -11,6 +11,7 @@
 #include "files/zip_package.h"
 #include "formats/placed_mesh.h"
 #include "formats/three_mf_model.h"
+#include "text/append_each.h"
 #include "text/label_colour.h"
 #include "text/mesh_text.h"
 #include "text/xml_text.h"
@@ -81,22 +82,22 @@ void append_object(std::string& text, const TriMesh& mesh, const std::string& na
   }
   text += mesh.labels.empty() ? ">" : " pid=\"2\" pindex=\"0\">";
   text += "\n<mesh>\n<vertices>\n";
-  for (const Vec3& point : points) {
-    append_attribute(text, "<vertex x=\"", point.x());
-    append_attribute(text, " y=\"", point.y());
-    append_attribute(text, " z=\"", point.z());
-    text += "/>\n";
-  }
+  text::append_each(text, points.size(), [&](std::string& end, std::size_t i) {
+    append_attribute(end, "<vertex x=\"", points[i].x());
+    append_attribute(end, " y=\"", points[i].y());
+    append_attribute(end, " z=\"", points[i].z());
+    end += "/>\n";
+  });
   text += "</vertices>\n<triangles>\n";
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    append_attribute(text, "<triangle v1=\"", mesh.triangles[i][0]);
-    append_attribute(text, " v2=\"", mesh.triangles[i][1]);
-    append_attribute(text, " v3=\"", mesh.triangles[i][2]);
+  text::append_each(text, mesh.triangles.size(), [&](std::string& end, std::size_t i) {
+    append_attribute(end, "<triangle v1=\"", mesh.triangles[i][0]);
+    append_attribute(end, " v2=\"", mesh.triangles[i][1]);
+    append_attribute(end, " v3=\"", mesh.triangles[i][2]);
     if (!mesh.labels.empty()) {
-      append_attribute(text, " pid=\"2\" p1=\"", mesh.labels[i]);
+      append_attribute(end, " pid=\"2\" p1=\"", mesh.labels[i]);
     }
-    text += "/>\n";
-  }
+    end += "/>\n";
+  });
   text += "</triangles>\n</mesh>\n</object>\n";
 }
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -115,6 +117,84 @@ TEST(Off, keeps_isolated_and_equal_points_and_degenerate_triangles) {
   const TriMesh mesh = read_off("OFF\n4 1 0\n0 0 0\n0 0 0\n1 0 0\n5 5 5\n3 0 0 1\n", "x.off");
   EXPECT_EQ(mesh.points.size(), 4U);
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 0, 1}}));
+}
+
+// Large enough to be read by pieces; each row one line of points and triangles.
+std::vector<std::string> lines_of(const TriMesh& mesh) {
+  std::vector<std::string> lines;
+  std::istringstream text(off_text(mesh));
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines, const char* end = "\n") {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + end;
+  }
+  return text;
+}
+
+TEST(Off, reads_large_files_as_it_reads_small_ones) {
+  const TriMesh mesh = test::scattered_mesh(7, 20000, false);
+  const std::vector<std::string> lines = lines_of(mesh);
+  const std::size_t first = lines.size() - mesh.points.size() - mesh.triangles.size();
+  const auto changed = [&](std::size_t index, const std::string& before, const char* end = "\n") {
+    std::vector<std::string> result = lines;
+    result.at(index).insert(0, before);
+    return joined(result, end);
+  };
+  const std::string plain = joined(lines);
+  ASSERT_EQ(plain, off_text(mesh));
+  const std::size_t vertex = first + mesh.points.size() / 2,
+                    face = first + mesh.points.size() + mesh.triangles.size() / 2;
+  const std::vector<std::string> alike = {
+      plain,
+      plain.substr(0, plain.size() - 1),
+      joined(lines, "\r\n"),
+      joined(lines, "\r"),
+      joined(lines, " # behind\n"),
+      joined(lines, " \t\n"),
+      joined(lines, "\n\n"),
+      plain + "\n# end",
+      changed(vertex, "# between\n"),
+      changed(vertex, "  "),
+      changed(face, "\n"),
+      changed(face, " "),
+      changed(face, "# a\r# b\n"),
+  };
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    EXPECT_TRUE(test::identical(read_off(alike[i], "x.off"), mesh)) << i;
+  }
+}
+
+TEST(Off, tells_the_line_of_a_fault_in_a_large_file) {
+  const TriMesh mesh = test::scattered_mesh(8, 20000, false);
+  const std::vector<std::string> lines = lines_of(mesh);
+  const std::size_t first = lines.size() - mesh.points.size() - mesh.triangles.size();
+  const std::size_t vertex = first + 3 * mesh.points.size() / 4,
+                    face = first + mesh.points.size() + mesh.triangles.size() / 4;
+  const std::vector<std::pair<std::size_t, std::string>> faults = {
+      {vertex, "1 2 x"},     {vertex, "1 2"},        {vertex, "1 2 3 4"},
+      {vertex, "1e999 0 0"}, {face, "3 0 1 999999"}, {face, "3 0 1 2 3 4 5 6 7"},
+      {face, "2 0 1"},       {face, "3 0 1 -1"}};
+  for (const auto& [at, line] : faults) {
+    std::vector<std::string> broken = lines;
+    broken[at] = line;
+    try {
+      (void)read_off(joined(broken), "x.off");
+      ADD_FAILURE() << line;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.where(), "x.off:" + std::to_string(at + 1)) << line << ": " << error.what();
+    }
+  }
+  std::vector<std::string> fewer = lines, more = lines;
+  fewer.pop_back();
+  EXPECT_THROW((void)read_off(joined(fewer), "x.off"), Error);
+  more.push_back(lines.back());
+  EXPECT_THROW((void)read_off(joined(more), "x.off"), Error);
 }
 
 TEST(Off, refuses_to_write_a_broken_mesh) {
