@@ -36,6 +36,27 @@ function(dupin_files_of variable pattern)
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()
 
+# dupin_loads_late(TARGET NAME LIBRARY): the target loads this library when it first needs it, and is not linked with it
+# (io/src/files/late_library.h); DUPIN_<NAME>_FILE is its name for the system's loader. Its package is one of
+# DUPIN_LATE_PACKAGES, which our own packages depend on: dpkg-shlibdeps sees what is linked alone.
+function(dupin_loads_late target name library)
+  execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${library} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCH "SONAME +([^ \n]+)" soname "${said}")
+  if(NOT soname)
+    message(FATAL_ERROR "${library} has no name for the system's loader (SONAME)")
+  endif()
+  target_compile_definitions(${target} PRIVATE DUPIN_${name}_FILE="${CMAKE_MATCH_1}")
+  get_filename_component(file ${library} REALPATH)
+  find_program(DUPIN_DPKG_QUERY dpkg-query)
+  mark_as_advanced(DUPIN_DPKG_QUERY)
+  if(DUPIN_DPKG_QUERY)
+    execute_process(COMMAND ${DUPIN_DPKG_QUERY} -S ${file} OUTPUT_VARIABLE said ERROR_QUIET)
+    if(said MATCHES "^([^:]+):")
+      set_property(GLOBAL APPEND PROPERTY DUPIN_LATE_PACKAGES ${CMAKE_MATCH_1})
+    endif()
+  endif()
+endfunction()
+
 # dupin_precompile(TARGET header ...): what most files of the target include is parsed once. A fifth to a half of the
 # build; lint compiles without, so that no file comes to rely on it.
 function(dupin_precompile target)

@@ -31,7 +31,6 @@ macro(dupin_find_private_libraries)
   dupin_library(mpfr mpfr.h libmpfr-dev)
   dupin_library(mpfi mpfi.h libmpfi-dev)
   dupin_library(expat expat.h libexpat1-dev)
-  dupin_library(zip zip.h libzip-dev)
 endmacro()
 
 # dupin_missing_libraries(VARIABLE): a sentence about them, or nothing.

@@ -15,10 +15,7 @@ else()
   install(TARGETS dupin dupin_kernel dupin_blends dupin_io EXPORT dupinTargets
     ARCHIVE COMPONENT development FILE_SET HEADERS COMPONENT development)
   set(DUPIN_PC_LIBRARIES "-ldupin_io -ldupin_blends -ldupin_kernel -lmpfi")
-  set(DUPIN_PC_REQUIRES " mpfr tbb expat libzip")
-  if(DUPIN_CAIRO_LIBRARY)
-    string(APPEND DUPIN_PC_REQUIRES " cairo")
-  endif()
+  set(DUPIN_PC_REQUIRES " mpfr tbb expat")
 endif()
 install(EXPORT dupinTargets NAMESPACE dupin:: DESTINATION ${config} COMPONENT development)
 configure_package_config_file(cmake/dupinConfig.cmake.in ${PROJECT_BINARY_DIR}/dupinConfig.cmake

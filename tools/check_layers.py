@@ -60,8 +60,8 @@ ARROWS = {
     },
     "io": {
         "text": [],
-        "drawings": ["text"],
-        "exchange": ["text"],
+        "drawings": ["files", "text"],
+        "exchange": ["files", "text"],
         "occt": ["exchange", "text"],
         "files": ["text"],
         "formats": ["files", "text"],

@@ -10,12 +10,13 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The least that each package depends on: what its files cannot do without.
 NEEDS = {
-    "dupin": {"libc6", "libgmp10", "libmpfr6", "libtbb12", "libexpat1", "libjemalloc2"},
+    "dupin": {"libc6", "libgmp10", "libmpfr6", "libtbb12", "libexpat1", "libjemalloc2", "libzip4",
+              "libcairo2"},
     "libdupin-dev": {"libeigen3-dev", "libgmp-dev", "libmpfr-dev", "libmpfi-dev", "libtbb-dev", "libexpat1-dev",
-                     "libzip-dev", "libcairo2-dev"},
+                     "libzip4", "libcairo2"},
     "dupin-exchange": {"libc6", "libocct-data-exchange-7.6"},
     "dupin-mpi": {"libc6", "libopenmpi3"},
-    "python3-dupin": {"python3", "python3-numpy", "libgmp10"},
+    "python3-dupin": {"python3", "python3-numpy", "libgmp10", "libzip4", "libcairo2"},
 }
 HOLDS = {
     "dupin": ["usr/bin/dupin", "usr/share/man/man1/dupin-build.1.gz", "usr/share/bash-completion/completions/dupin",
@@ -52,7 +53,7 @@ def use(root, version):
     os.unlink(root / "tmp/reducer.step")
     path = next(root.glob("usr/lib/**/pkgconfig"))
     flags = run("pkg-config", "--cflags", "--libs", "dupin", env={**os.environ, "PKG_CONFIG_PATH": str(path)}).split()
-    assert {"-ldupin_io", "-ldupin_kernel", "-lgmp", "-lzip", "-lexpat"} <= set(flags), flags
+    assert {"-ldupin_io", "-ldupin_kernel", "-lgmp", "-lexpat"} <= set(flags), flags
 
 
 def main():

@@ -12,8 +12,7 @@
 #include "text/drawable_text.h"
 
 #ifdef DUPIN_WITH_CAIRO
-#include <cairo-pdf.h>
-#include <cairo.h>
+#include "drawings/late_cairo.h"
 #endif
 
 namespace dupin {
@@ -21,6 +20,7 @@ namespace dupin {
 #ifdef DUPIN_WITH_CAIRO
 namespace {
 
+using drawings::cairo;
 using drawings::PaperSheet;
 using drawings::Pen;
 
@@ -28,8 +28,8 @@ constexpr double kPointsPerMillimetre = 72 / 25.4, kMillimetresPerInch = 25.4;
 constexpr double kMostPixels = 1e8;
 
 struct Release {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(cairo_surface_t* surface) const { cairo().surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo().destroy(context); }
 };
 using Surface = std::unique_ptr<cairo_surface_t, Release>;
 using Context = std::unique_ptr<cairo_t, Release>;
@@ -44,50 +44,51 @@ void check(cairo_status_t status) {
     throw std::bad_alloc();
   }
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(Errc::internal, std::string("cairo fails: ") + cairo_status_to_string(status));
+    throw Error(Errc::internal, std::string("cairo fails: ") + cairo().status_to_string(status));
   }
 }
 
 void draw_line(cairo_t* context, const drawings::PaperLine& line) {
   for (const Eigen::Vector2d& point : line.points) {
-    cairo_line_to(context, point[0], point[1]);
+    cairo().line_to(context, point[0], point[1]);
   }
   if (line.is_closed) {
-    cairo_close_path(context);
+    cairo().close_path(context);
   }
   if (line.pen == Pen::arrow) {
-    cairo_fill(context);
+    cairo().fill(context);
     return;
   }
   const bool is_wide = line.pen == Pen::contour || line.pen == Pen::edge;
-  cairo_set_line_width(context, is_wide ? drawings::kWide : drawings::kNarrow);
+  cairo().set_line_width(context, is_wide ? drawings::kWide : drawings::kNarrow);
   const std::vector<double> dashes = drawings::dashes(line.pen);
-  cairo_set_dash(context, dashes.data(), int(dashes.size()), 0);
-  cairo_set_line_cap(context, line.pen == Pen::center ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-  cairo_stroke(context);
+  cairo().set_dash(context, dashes.data(), int(dashes.size()), 0);
+  cairo().set_line_cap(context,
+                       line.pen == Pen::center ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  cairo().stroke(context);
 }
 
 void draw_text(cairo_t* context, const drawings::PaperText& text) {
-  cairo_save(context);
-  cairo_translate(context, text.at[0], text.at[1]);
+  cairo().save(context);
+  cairo().translate(context, text.at[0], text.at[1]);
   if (text.is_upright) {
-    cairo_rotate(context, -std::acos(-1.0) / 2);
+    cairo().rotate(context, -std::acos(-1.0) / 2);
   }
   const std::string drawn = text::drawable(text.text);
   cairo_text_extents_t extents;
-  cairo_text_extents(context, drawn.c_str(), &extents);
+  cairo().text_extents(context, drawn.c_str(), &extents);
   const double begin = text.is_centered ? -extents.x_advance / 2 : 0;
   // Lines end beside it.
-  cairo_move_to(context, begin, 0);
-  cairo_text_path(context, drawn.c_str());
-  cairo_set_source_rgb(context, 1, 1, 1);
-  cairo_set_line_width(context, drawings::kTextMargin);
-  cairo_set_dash(context, nullptr, 0, 0);
-  cairo_stroke(context);
-  cairo_set_source_rgb(context, 0, 0, 0);
-  cairo_move_to(context, begin, 0);
-  cairo_show_text(context, drawn.c_str());
-  cairo_restore(context);
+  cairo().move_to(context, begin, 0);
+  cairo().text_path(context, drawn.c_str());
+  cairo().set_source_rgb(context, 1, 1, 1);
+  cairo().set_line_width(context, drawings::kTextMargin);
+  cairo().set_dash(context, nullptr, 0, 0);
+  cairo().stroke(context);
+  cairo().set_source_rgb(context, 0, 0, 0);
+  cairo().move_to(context, begin, 0);
+  cairo().show_text(context, drawn.c_str());
+  cairo().restore(context);
 }
 
 // PDF has pages of up to 14400 points (ISO 32000-1, annex C); cairo's own numbers end at 2^23.
@@ -123,42 +124,43 @@ void require_page(const PaperSheet& sheet, const Drawing& drawing, const Drawing
 
 // In millimetres.
 void draw_sheet(cairo_t* context, const PaperSheet& sheet) {
-  cairo_set_source_rgb(context, 0, 0, 0);
-  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-  cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, drawings::kFontSize);
+  cairo().set_source_rgb(context, 0, 0, 0);
+  cairo().set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  cairo().select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+  cairo().set_font_size(context, drawings::kFontSize);
   for (const drawings::PaperLine& line : sheet.lines) {
     draw_line(context, line);
   }
   for (const drawings::PaperText& text : sheet.texts) {
     draw_text(context, text);
   }
-  check(cairo_status(context));
+  check(cairo().status(context));
 }
 
 }  // namespace
 
-bool can_draw_pages() { return true; }
+bool can_draw_pages() { return drawings::find_cairo() != nullptr; }
 
 std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options) {
   const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
   require_page(sheet, drawing, scale, options);
   std::string bytes;
-  const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes,
-                                                            sheet.size[0] * kPointsPerMillimetre,
-                                                            sheet.size[1] * kPointsPerMillimetre));
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
-                                 text::drawable(sheet.title).c_str());
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
-                                 "1970-01-01T00:00:00Z");
+  const Surface surface(cairo().pdf_surface_create_for_stream(
+      append_bytes, &bytes, sheet.size[0] * kPointsPerMillimetre,
+      sheet.size[1] * kPointsPerMillimetre));
+  cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
+                                   text::drawable(sheet.title).c_str());
+  cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "1970-01-01T00:00:00Z");
   {
-    const Context context(cairo_create(surface.get()));
-    cairo_scale(context.get(), kPointsPerMillimetre, kPointsPerMillimetre);
+    const Context context(cairo().create(surface.get()));
+    cairo().scale(context.get(), kPointsPerMillimetre, kPointsPerMillimetre);
     draw_sheet(context.get(), sheet);
   }
-  cairo_surface_finish(surface.get());
-  check(cairo_surface_status(surface.get()));
+  cairo().surface_finish(surface.get());
+  check(cairo().surface_status(surface.get()));
   return bytes;
 }
 
@@ -178,23 +180,23 @@ std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
                 "the picture would have more than 100 million pixels; take fewer dots per inch, or "
                 "a smaller scale");
   }
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
-  const Context context(cairo_create(surface.get()));
-  cairo_set_source_rgb(context.get(), 1, 1, 1);
-  cairo_paint(context.get());
+  const Surface surface(cairo().image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
+  const Context context(cairo().create(surface.get()));
+  cairo().set_source_rgb(context.get(), 1, 1, 1);
+  cairo().paint(context.get());
   if (picture.shaded != nullptr) {
     drawings::Picture shades =
         drawings::shaded(*picture.shaded, picture.colours, drawing.view, sheet, per_millimetre);
-    const Surface image(cairo_image_surface_create_for_data(
+    const Surface image(cairo().image_surface_create_for_data(
         reinterpret_cast<unsigned char*>(shades.pixels.data()), CAIRO_FORMAT_ARGB32, shades.width,
         shades.height, 4 * shades.width));
-    cairo_set_source_surface(context.get(), image.get(), 0, 0);
-    cairo_paint(context.get());
+    cairo().set_source_surface(context.get(), image.get(), 0, 0);
+    cairo().paint(context.get());
   }
-  cairo_scale(context.get(), per_millimetre, per_millimetre);
+  cairo().scale(context.get(), per_millimetre, per_millimetre);
   draw_sheet(context.get(), sheet);
   std::string bytes;
-  check(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes));
+  check(cairo().surface_write_to_png_stream(surface.get(), append_bytes, &bytes));
   return bytes;
 }
 

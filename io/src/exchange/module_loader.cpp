@@ -1,8 +1,7 @@
 #include "exchange/module_loader.h"
 
-#include <dlfcn.h>
-
 #include "dupin/kernel/error.h"
+#include "files/late_library.h"
 
 namespace dupin::exchange {
 namespace {
@@ -13,17 +12,12 @@ struct Found {
 };
 
 Found load() {
-  void* const library = dlopen(kModuleFile, RTLD_NOW | RTLD_LOCAL);
-  void* const entry = library == nullptr ? nullptr : dlsym(library, kEntryPoint);
-  if (entry == nullptr) {
-    const char* const why = dlerror();
-    return {nullptr, why == nullptr ? "" : why};
-  }
-  using Entry = const Module* (*)();
-  return {reinterpret_cast<Entry>(entry)(), {}};
+  files::LateLibrary library(kModuleFile);
+  const Module* (*entry)() = nullptr;
+  library.find(entry, kEntryPoint);
+  return {entry == nullptr ? nullptr : entry(), library.missing()};
 }
 
-// It stays loaded, for as long as the program runs.
 const Found& found() {
   static const Found kFound = load();
   return kFound;

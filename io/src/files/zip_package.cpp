@@ -4,9 +4,8 @@
 #include <charconv>
 #include <utility>
 
-#include <zip.h>
-
 #include "dupin/kernel/error.h"
+#include "files/late_zip.h"
 
 namespace dupin::files {
 namespace {
@@ -17,21 +16,21 @@ constexpr int kFastCompression = 1;           // level 6 takes four times as lon
 
 class ZipError {
  public:
-  ZipError() { zip_error_init(&error_); }
-  ~ZipError() { zip_error_fini(&error_); }
+  ZipError() { zip().error_init(&error_); }
+  ~ZipError() { zip().error_fini(&error_); }
   ZipError(const ZipError&) = delete;
   ZipError& operator=(const ZipError&) = delete;
   zip_error_t* get() { return &error_; }
-  [[nodiscard]] std::string message() { return zip_error_strerror(&error_); }
+  [[nodiscard]] std::string message() { return zip().error_strerror(&error_); }
 
  private:
   zip_error_t error_;
 };
 
 struct Discard {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-  void operator()(zip_source_t* source) const { zip_source_free(source); }
-  void operator()(zip_file_t* entry) const { zip_fclose(entry); }
+  void operator()(zip_t* archive) const { zip().discard(archive); }
+  void operator()(zip_source_t* source) const { zip().source_free(source); }
+  void operator()(zip_file_t* entry) const { zip().fclose(entry); }
 };
 using Handle = std::unique_ptr<zip_t, Discard>;
 using Source = std::unique_ptr<zip_source_t, Discard>;
@@ -46,19 +45,19 @@ using Entry = std::unique_ptr<zip_file_t, Discard>;
 }
 
 void add_entry(zip_t* archive, const ZipEntry& entry) {
-  Source source(zip_source_buffer(archive, entry.bytes.data(), entry.bytes.size(), 0));
+  Source source(zip().source_buffer(archive, entry.bytes.data(), entry.bytes.size(), 0));
   const zip_int64_t index =
-      source ? zip_file_add(archive, entry.name.c_str(), source.get(), ZIP_FL_ENC_UTF_8) : -1;
+      source ? zip().file_add(archive, entry.name.c_str(), source.get(), ZIP_FL_ENC_UTF_8) : -1;
   if (index < 0) {
-    fail_to_write(zip_strerror(archive));
+    fail_to_write(zip().strerror(archive));
   }
   (void)source.release();  // the archive has it now
   const auto place = static_cast<zip_uint64_t>(index);
   constexpr zip_uint16_t kMidnight = 0;
   constexpr zip_uint16_t kFirstOf1980 = (1U << 5) | 1U;  // the earliest date that ZIP can tell
-  if (zip_set_file_compression(archive, place, ZIP_CM_DEFLATE, kFastCompression) != 0 ||
-      zip_file_set_dostime(archive, place, kMidnight, kFirstOf1980, 0) != 0) {
-    fail_to_write(zip_strerror(archive));
+  if (zip().set_file_compression(archive, place, ZIP_CM_DEFLATE, kFastCompression) != 0 ||
+      zip().file_set_dostime(archive, place, kMidnight, kFirstOf1980, 0) != 0) {
+    fail_to_write(zip().strerror(archive));
   }
 }
 
@@ -81,12 +80,12 @@ std::string decoded(std::string_view name) {
 
 std::string contents(zip_source_t* source) {
   zip_stat_t status;
-  if (zip_source_stat(source, &status) != 0 || zip_source_open(source) != 0) {
+  if (zip().source_stat(source, &status) != 0 || zip().source_open(source) != 0) {
     fail_to_write("no memory");
   }
   std::string bytes(status.size, '\0');
-  const zip_int64_t taken = zip_source_read(source, bytes.data(), bytes.size());
-  zip_source_close(source);
+  const zip_int64_t taken = zip().source_read(source, bytes.data(), bytes.size());
+  zip().source_close(source);
   if (taken != static_cast<zip_int64_t>(bytes.size())) {
     fail_to_write("no memory");
   }
@@ -97,20 +96,20 @@ std::string contents(zip_source_t* source) {
 
 std::string zip_archive(const std::vector<ZipEntry>& entries) {
   ZipError error;
-  Source buffer(zip_source_buffer_create(nullptr, 0, 0, error.get()));
+  Source buffer(zip().source_buffer_create(nullptr, 0, 0, error.get()));
   if (!buffer) {
     fail_to_write(error.message());
   }
-  Handle archive(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, error.get()));
+  Handle archive(zip().open_from_source(buffer.get(), ZIP_TRUNCATE, error.get()));
   if (!archive) {
     fail_to_write(error.message());
   }
-  zip_source_keep(buffer.get());  // the archive frees one reference, we the other
+  zip().source_keep(buffer.get());  // the archive frees one reference, we the other
   for (const ZipEntry& entry : entries) {
     add_entry(archive.get(), entry);
   }
-  if (zip_close(archive.get()) != 0) {
-    fail_to_write(zip_strerror(archive.get()));
+  if (zip().close(archive.get()) != 0) {
+    fail_to_write(zip().strerror(archive.get()));
   }
   (void)archive.release();  // closed
   return contents(buffer.get());
@@ -141,8 +140,8 @@ struct ZipPackage::Archive {
 ZipPackage::ZipPackage(std::string_view bytes, std::string_view file)
     : file_(file), size_(bytes.size()) {
   ZipError error;
-  Source buffer(zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get()));
-  Handle archive(buffer ? zip_open_from_source(buffer.get(), ZIP_RDONLY, error.get()) : nullptr);
+  Source buffer(zip().source_buffer_create(bytes.data(), bytes.size(), 0, error.get()));
+  Handle archive(buffer ? zip().open_from_source(buffer.get(), ZIP_RDONLY, error.get()) : nullptr);
   if (!archive) {
     fail_to_read(file, "found no ZIP archive (" + error.message() + "), expected a 3MF package");
   }
@@ -154,8 +153,8 @@ ZipPackage::~ZipPackage() = default;
 
 std::int64_t ZipPackage::place_of(const std::string& name) const {
   zip_t* const archive = archive_->zip.get();
-  const zip_int64_t index = zip_name_locate(archive, name.c_str(), 0);
-  return index >= 0 ? index : zip_name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
+  const zip_int64_t index = zip().name_locate(archive, name.c_str(), 0);
+  return index >= 0 ? index : zip().name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
 }
 
 std::string ZipPackage::read(std::string_view name) {
@@ -166,7 +165,7 @@ std::string ZipPackage::read(std::string_view name) {
     index = place_of(decoded(wanted));
   }
   zip_stat_t status;
-  if (index < 0 || zip_stat_index(archive, static_cast<zip_uint64_t>(index), 0, &status) != 0) {
+  if (index < 0 || zip().stat_index(archive, static_cast<zip_uint64_t>(index), 0, &status) != 0) {
     fail_to_read(file_, "found no entry '" + wanted + "' in the ZIP archive, expected one");
   }
   if (status.size > kAlwaysAllowed && status.size > kLargestRatio * status.comp_size) {
@@ -182,9 +181,9 @@ std::string ZipPackage::read(std::string_view name) {
                     " bytes to more than 200 times as many",
                 {}, file_);
   }
-  const Entry entry(zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
+  const Entry entry(zip().fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
   if (!entry) {
-    fail_to_read(file_, "cannot read the entry '" + wanted + "' (" + zip_strerror(archive) +
+    fail_to_read(file_, "cannot read the entry '" + wanted + "' (" + zip().strerror(archive) +
                             "), expected one that is stored or deflated, and not encrypted");
   }
   std::string bytes(status.size, '\0');
@@ -194,8 +193,8 @@ std::string ZipPackage::read(std::string_view name) {
     // At the declared end one more read makes libzip compare the checksum, and tells of more data.
     char surplus = 0;
     const bool full = filled == bytes.size();
-    taken = zip_fread(entry.get(), full ? &surplus : bytes.data() + filled,
-                      full ? 1 : bytes.size() - filled);
+    taken = zip().fread(entry.get(), full ? &surplus : bytes.data() + filled,
+                        full ? 1 : bytes.size() - filled);
     filled += taken > 0 ? static_cast<std::size_t>(taken) : 0;
     if (filled > bytes.size()) {
       taken = -1;
@@ -203,7 +202,7 @@ std::string ZipPackage::read(std::string_view name) {
   }
   if (taken < 0 || filled != bytes.size()) {
     fail_to_read(file_, "found a damaged entry '" + wanted + "' (" +
-                            zip_file_strerror(entry.get()) + "), expected its " +
+                            zip().file_strerror(entry.get()) + "), expected its " +
                             std::to_string(bytes.size()) + " bytes");
   }
   return bytes;
