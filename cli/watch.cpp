@@ -14,8 +14,6 @@
 #include "build_arguments.h"
 #include "child_process.h"
 #include "commands.h"
-#include "document.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/avoided_meshes.h"
 #include "dupin/io/report_json.h"
@@ -128,24 +126,13 @@ class WatchedFile {
   int looks_ = 0;                      ///< since it was compared
 };
 
-/// The meshes that a document avoids, where it finds them. What their names have variables for is
-/// known where all of them can be read.
+/// The meshes that a document avoids, where it finds them.
 std::vector<WatchedFile> watched_meshes(const std::string& document) {
   std::vector<WatchedFile> meshes;
   const std::filesystem::path folder = std::filesystem::path(document).parent_path();
-  bool has_variables = false;
   try {
-    const std::string text = read_file(document);
-    for (const std::string& mesh : avoided_meshes(text)) {
+    for (const std::string& mesh : avoided_meshes(read_file(document))) {
       meshes.emplace_back((folder / mesh).string());
-      has_variables = has_variables || mesh.find('{') != std::string::npos;
-    }
-    if (has_variables) {
-      const Assembly assembly = parse_assembly(text, document);
-      meshes.clear();
-      for (const std::string& mesh : meshes_beside(assembly)) {
-        meshes.emplace_back(mesh);
-      }
     }
   } catch (const Error&) {  // it cannot be read, which the build will say
   }

@@ -130,14 +130,17 @@ TEST_F(Edit, meshes_that_are_avoided_are_found_from_another_folder) {
       {"name": "a", "pipe": {"from": [0, 30, 0], "to": [1, 30, 0], "radius": 1}},
       {"name": "b", "pipe": {"from": [60, 30, 0], "to": [61, 30, 0], "radius": 1}},
       {"name": "r", "spline": {"from": "a.end", "to": "b.start", "through": [], "clearance": 1,
-                               "avoid": [{"mesh": "m.off"}]}})");
+                               "avoid": [{"mesh": "m.off"}, {"mesh": "=n"}]}})");
+  document.insert(document.rfind('}'), R"(, "values": {"n": "n.off"})");
   folder_.write("h.json", document);
   put("m.off", box({25, 29, -1}, {30, 31, 1}));
+  put("n.off", box({25, 29, -1}, {30, 31, 2}));
   EXPECT_EQ(shell("mkdir sub").exit_code, 0);
   const ProcessResult result =
       dupin({"edit", "h.json", "--twist", "6=1", "-o", "sub/h2.json", "--margin", "0"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(folder_.read("sub/h2.json"), HasSubstr(R"("avoid": [{"mesh": "../m.off"}])"));
+  EXPECT_THAT(folder_.read("sub/h2.json"),
+              HasSubstr(R"("avoid": [{"mesh": "../m.off"}, {"mesh": "../n.off"}])"));
   EXPECT_EQ(dupin({"info", "sub/h2.json"}).exit_code, 0);
 }
 

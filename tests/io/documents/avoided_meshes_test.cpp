@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
+
 namespace dupin {
 namespace {
 
@@ -35,6 +37,47 @@ TEST(AvoidedMeshes, are_the_same_from_another_folder) {
   for (const char* const to : {"e.json", "", "./e.json", "sub/../e.json"}) {
     EXPECT_EQ(with_meshes_seen_from(kDocument, "d.json", to), kDocument) << to;
   }
+}
+
+constexpr const char* kMade = R"({"units": "mm", "values": {"f": "v.stl", "g": "/g.stl"}, "parts": [
+  {"name": "a", "spline": {"avoid": [{"mesh": "= f"}, {"mesh": "=g"}, {"mesh": "k{i}.stl"}]}},
+  {"for": {"i": 2, "w": ["w.stl", "x.stl"]}, "parts": [
+    {"name": "b{i}", "spline": {"avoid": [{"mesh": "k{i}.stl"}, {"mesh": "=w"}, {"mesh": "=g"},
+                                          {"mesh": "{g}"}]}}]}]})";
+
+// As parts see them, whether the files are there or not.
+TEST(AvoidedMeshes, are_what_expressions_and_copies_make_of_them) {
+  EXPECT_THAT(avoided_meshes(kMade),
+              ElementsAre("v.stl", "/g.stl", "k{i}.stl", "k0.stl", "k1.stl", "w.stl", "x.stl"));
+  std::string faulty = kMade;
+  faulty.replace(faulty.find("b{i}"), 4, "b{j}");
+  EXPECT_THAT(avoided_meshes(faulty), ElementsAre("v.stl", "/g.stl", "k{i}.stl"));
+}
+
+TEST(AvoidedMeshes, that_expressions_make_are_the_same_from_another_folder) {
+  const std::string seen = with_meshes_seen_from(kMade, "d.json", "sub/e.json");
+  EXPECT_THAT(avoided_meshes(seen), ElementsAre("../v.stl", "/g.stl", "../k{i}.stl", "../k0.stl",
+                                                "../k1.stl", "../w.stl", "../x.stl"));
+  EXPECT_THAT(avoided_meshes(with_meshes_seen_from(kMade, "=x/d.json", "e.json")),
+              ElementsAre("./=x/v.stl", "/g.stl", "./=x/k{i}.stl", "./=x/k0.stl", "./=x/k1.stl",
+                          "./=x/w.stl", "./=x/x.stl"));
+}
+
+TEST(AvoidedMeshes, are_refused_from_where_no_text_means_the_same) {
+  std::string mixed = kMade;
+  mixed.replace(mixed.find("w.stl"), 5, "/w.off");
+  const auto place = [](const std::string& text, const char* from, const char* to) {
+    try {
+      (void)with_meshes_seen_from(text, from, to);
+    } catch (const Error& error) {
+      return error.where();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(place(mixed, "d.json", "sub/e.json"), "d.json#/parts/1/parts/0/spline/avoid/1/mesh");
+  EXPECT_EQ(place(mixed, "d.json", "e.json"), "");
+  EXPECT_EQ(place(kMade, "{x}/d.json", "e.json"),
+            "{x}/d.json#/parts/1/parts/0/spline/avoid/0/mesh");
 }
 
 TEST(AvoidedMeshes, leave_all_else_of_the_text_as_it_is) {
