@@ -325,6 +325,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
+  if (is_step(arguments.output)) {
+    require_exchange(assembly, options.region, exchange_solids(arguments.output, arguments.solids));
+  }
   prepare_districts(arguments, std::string(symbol(assembly.unit)), options);
   BuildReport report;
   TriMesh written;

@@ -101,6 +101,11 @@ TEST_F(Exchange, refuses_what_it_cannot_write_and_leaves_no_file) {
   for (const auto& [arguments, code, text] :
        std::vector<std::tuple<std::vector<std::string>, int, std::string>>{
            {{"tee.json", "-o", "a.step", "--solids", "parts"}, 4, "fillets"},
+           // Before triangles are counted.
+           {{"tee.json", "-o", "a.step", "--solids", "runs", "--tolerance", "1e-9"}, 4, "fillets"},
+           {{"hollow-tee.json", "-o", "a.step", "--solids", "parts", "--tolerance", "1e-9"},
+            4,
+            "--region outer"},
            {{"tee.json", "-o", "a.step", "--patches", "p.json"}, 2, "--patches"},
            {{"tee.json", "-o", "a.stl", "--solids", "runs"}, 2, "--solids"}}) {
     std::vector<std::string> all{"build", example(arguments.front())};

@@ -20,6 +20,41 @@ namespace {
 
 constexpr std::string_view kNothingWritten = "; no STEP file was written. ";
 
+constexpr std::string_view kUnited =
+    "leave out --solids, which tries to unite it; every mesh format has the union";
+
+void refuse_region(const Assembly& assembly, Region region) {
+  if (region != Region::outer) {
+    throw Error(Errc::boolean_failed,
+                "solids of runs or parts alone are those of the outer region, and this is its " +
+                    std::string(name(region)) + " region; no STEP file was written: ask for " +
+                    "--region outer, or " + std::string(kUnited),
+                {}, assembly.source);
+  }
+}
+
+void refuse_fillets(const Assembly& assembly) {
+  const auto fillet = std::ranges::find_if(assembly.parts, [](const Part& part) {
+    return std::holds_alternative<FilletBetween>(part.shape);
+  });
+  if (fillet != assembly.parts.end()) {
+    throw Error(
+        Errc::boolean_failed,
+        "solids of runs or parts alone have no fillets, and this part is one; no STEP file was "
+        "written: " +
+            std::string(kUnited),
+        fillet->name, document_place(assembly, std::uint32_t(fillet - assembly.parts.begin())));
+  }
+}
+
+// What a build makes where no region is asked for.
+Region usual_region(const Assembly& assembly) {
+  const bool says_wall = assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
+                           return part.wall.value_or(0) > 0;
+                         });
+  return says_wall ? Region::metal : Region::outer;
+}
+
 // Runs and parts alone are those of the outer surface, without fillets.
 bool can_be_alone(const Model& model) {
   return model.operation == Operation::none && model.whole.fillets.empty();
@@ -230,9 +265,24 @@ std::string_view name(ExchangeSolids solids) {
 
 bool can_exchange() { return exchange::find_module() != nullptr; }
 
+void require_exchange(const Assembly& assembly, std::optional<Region> region,
+                      ExchangeSolids solids) {
+  (void)exchange::loaded_module();
+  if (solids == ExchangeSolids::united) {
+    return;
+  }
+  exchange::refuse_region(assembly, region.value_or(exchange::usual_region(assembly)));
+  if (!assembly.is_of_network) {  // whose build may leave fillets out
+    exchange::refuse_fillets(assembly);
+  }
+}
+
 ExchangeFile step_file(const Assembly& assembly, const Built& built,
                        const ExchangeOptions& options) {
-  (void)exchange::loaded_module();  // else there is nothing to advise
+  require_exchange(assembly, built.region, options.solids);  // else nothing need be tried
+  if (options.solids != ExchangeSolids::united) {
+    exchange::refuse_fillets(assembly);
+  }
   try {
     return exchange::attempted(assembly, built, options);
   } catch (const Error& error) {

@@ -36,6 +36,35 @@ TEST(Exchange, solids_of_parts_have_the_volumes_of_their_formulas) {
   }
 }
 
+// Before anything is built, which takes long, and so does what is tried for advice.
+TEST(Exchange, says_at_once_what_runs_and_parts_have_not) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  const auto fault = [](const Assembly& assembly, std::optional<Region> region,
+                        ExchangeSolids solids) {
+    try {
+      require_exchange(assembly, region, solids);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::boolean_failed);
+      return error.part() + ": " + error.message();
+    }
+    return std::string();
+  };
+  using testing::HasSubstr;
+  Assembly assembly = example("reducer");
+  for (const ExchangeSolids solids : {ExchangeSolids::runs, ExchangeSolids::parts}) {
+    EXPECT_EQ(fault(assembly, {}, solids), "");
+    EXPECT_THAT(fault(assembly, Region::fluid, solids), HasSubstr("this is its fluid region"));
+    EXPECT_THAT(fault(example("tee"), {}, solids), HasSubstr("throat: solids of runs"));
+    EXPECT_THAT(fault(example("hollow-tee"), {}, solids), HasSubstr("this is its metal region"));
+    Assembly network = example("tee");
+    network.is_of_network = true;
+    EXPECT_EQ(fault(network, {}, solids), "");
+  }
+  EXPECT_EQ(fault(example("hollow-tee"), Region::fluid, ExchangeSolids::united), "");
+}
+
 Assembly kneecaps(const std::string& spheres) {
   return parse_assembly(R"({"units": "mm", "tolerance": 0.01, "parts": [{"name": "arm",
       "cyclide_chain": {"joints": "kneecaps", "spheres": [)" +

@@ -62,6 +62,13 @@ struct ExchangeFile {
 /// Whether the module that makes these files can be loaded: it needs OpenCASCADE.
 [[nodiscard]] bool can_exchange();
 
+/// What is known before anything is built: throws what step_file would where solids of runs or
+/// parts are asked for of another region than the outer one (`region`, or the one that `build`
+/// makes of the assembly where none is asked for) or, unless it is of a network, of fillets;
+/// Error{invalid_argument} without the module.
+void require_exchange(const Assembly& assembly, std::optional<Region> region,
+                      ExchangeSolids solids);
+
 /// `built`, which `build` made of the assembly, as STEP (AP214) in millimetres: a boundary of
 /// planes, cylinders, cones, spheres, tori and NURBS whose neighbours share edges and vertices;
 /// products and faces with names, faces with colours. Surfaces are exact up to rounding where they
