@@ -273,9 +273,12 @@ class BuiltPage {
           {{"the whole, of the mesh", "", "", measure(report_.volumes->outer, unit_, 3),
             measure(report_.volumes->metal, unit_, 3), measure(report_.volumes->fluid, unit_, 3)}});
     } else if (report_.output.check) {
+      // Without walls all of it is metal, as bom has it.
+      const bool is_solid = report_.region == Region::outer;
+      const std::string volume = measure(report_.output.check->volume, unit_, 3);
       section.rows.push_back(
-          {{"the whole, of the mesh", "", measure(report_.output.check->area, unit_, 2),
-            measure(report_.output.check->volume, unit_, 3), "", ""}});
+          {{"the whole, of the mesh", "", measure(report_.output.check->area, unit_, 2), volume,
+            is_solid ? volume : "", is_solid ? measure(0, unit_, 3) : ""}});
     }
     try {
       for (const BillRow& row : bill_of_materials(built_.assembly).rows) {
@@ -284,8 +287,7 @@ class BuiltPage {
         };
         PageRow cells{{row.name, row.length ? measure(*row.length, unit_) : "",
                        row.area ? measure(*row.area, unit_, 2) : "", volume(row.outer),
-                       row.wall > 0 ? volume(row.metal) : "",
-                       row.wall > 0 ? volume(row.fluid) : ""}};
+                       volume(row.metal), volume(row.fluid)}};
         cells.part = index_of(row.name);
         section.rows.push_back(std::move(cells));
       }

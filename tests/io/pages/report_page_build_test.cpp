@@ -122,6 +122,28 @@ TEST(ReportPageBuild, leads_to_the_tightest_place_and_the_thinnest_wall) {
   EXPECT_THAT(row("least wall").cells[1], testing::StartsWith("proved, at least 0.9"));
 }
 
+// As the bill of materials has it.
+TEST(ReportPageBuild, has_the_metal_of_what_has_no_wall) {
+  constexpr const char* kTwo = R"(
+    {"name": "pipe", "pipe": {"from": [0, 0, 0], "to": [0, 0, 20], "radius": 4}},
+    {"name": "plug", "pipe": {"from": "pipe.end", "length": 5}, "wall": 0})";
+  for (const char* const head : {"", R"("wall": 1, )"}) {
+    const bool is_hollow = *head != 0;
+    const Case c = built(kTwo, head);
+    const ReportPage page = report_page({c.assembly, c.report}, c.mesh);
+    const std::vector<PageRow>& rows = section(page, "Volumes").rows;
+    ASSERT_EQ(rows.size(), 3);
+    for (const PageRow& row : rows) {
+      const bool has_bore = is_hollow && row.cells[0] != "plug";
+      EXPECT_EQ(row.cells[4] == row.cells[3], !has_bore) << row.cells[0];
+      EXPECT_NE(row.cells[4], "") << row.cells[0];
+    }
+    EXPECT_EQ(rows[0].cells[5] == "0 mm³", !is_hollow) << rows[0].cells[5];
+    EXPECT_EQ(rows[1].cells[5] == "", !is_hollow);
+    EXPECT_EQ(rows[2].cells[5], "");
+  }
+}
+
 TEST(ReportPageBuild, counts_claims_by_their_verdict) {
   const Case c = built(kApart);
   const Certificate certificate = certify(c.assembly);
