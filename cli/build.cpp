@@ -416,7 +416,7 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
       ->type_name("NUMBER")
       ->check(CLI::Range(kFewestSegments, kMostSegments));
   add_wall_options(command, arguments.walls);
-  add_region_option(command, arguments.region, true);
+  add_region_option(command, arguments.region);
   add_triangles_option(command, arguments.most_triangles);
   command.get_option("--triangles")->each([&arguments](const std::string& /*number*/) {
     arguments.are_triangles_limited = true;

@@ -226,18 +226,12 @@ void add_wall_options(CLI::App& command, WallArguments& walls) {
       ->type_name("LENGTH");
 }
 
-void add_region_option(CLI::App& command, std::string& region, bool has_insulation) {
-  std::vector<std::string> names{"outer", "metal", "fluid"};
-  if (has_insulation) {
-    names.emplace_back("insulation");
-  }
+void add_region_option(CLI::App& command, std::string& region) {
   command
       .add_option("--region", region,
-                  std::string("outer, metal") +
-                      (has_insulation ? ", fluid or insulation" : " or fluid") +
-                      "; metal if not given,\nwhere there are walls")
+                  "outer, metal, fluid or insulation; metal if not given,\nwhere there are walls")
       ->type_name("REGION")
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember({"outer", "metal", "fluid", "insulation"}));
 }
 
 std::optional<Region> region_named(const std::string& name) {

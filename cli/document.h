@@ -66,8 +66,8 @@ void require_meshes_not_written(const Assembly& assembly);
 /// Adds --wall, --wall-side and --insulation.
 void add_wall_options(CLI::App& command, WallArguments& walls);
 
-/// Adds --region, whose insulation only a build makes.
-void add_region_option(CLI::App& command, std::string& region, bool has_insulation = false);
+/// Adds --region.
+void add_region_option(CLI::App& command, std::string& region);
 
 /// The region of that name; none for an empty one.
 [[nodiscard]] std::optional<Region> region_named(const std::string& name);

@@ -166,7 +166,7 @@ void add_report(CLI::App& app, Action& action) {
   command->add_flag("--certify", arguments->certify,
                     "Certify the document now and show the claims");
   add_wall_options(*command, arguments->walls);
-  add_region_option(*command, arguments->region, true);
+  add_region_option(*command, arguments->region);
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_source_options(*command, arguments->source);

@@ -109,6 +109,7 @@ TEST_F(Draw, refuses_bad_views_and_files) {
            {{"--shaded"}, 2, ".png"},
            {{"--tolerance", "-1mm"}, 2, "positive"},
            {{"--region", "metal"}, 3, "no metal"},
+           {{"--region", "insulation"}, 3, "no insulation"},
            {{"--snap", "1mm"}, 2, "piping files"}}) {
     std::vector<std::string> arguments{"draw", tee, "-o", "out.svg"};
     arguments.insert(arguments.end(), options.begin(), options.end());

@@ -48,6 +48,12 @@ class Drawer {
     for (const PartReport& part : built.parts) {
       result_.error = std::max(result_.error, part.error_bound);
     }
+    if (built.region == Region::insulation) {
+      SmoothRegion region = smooth_region(assembly, built);
+      outer_ = std::move(region.whole);
+      bore_ = std::move(region.inside);
+      return;
+    }
     const auto walls = built.region == Region::outer
                            ? std::nullopt
                            : assembly::walls_of(assembly, outer_, built.region);

@@ -130,6 +130,27 @@ TEST(Drawing, of_a_wall_shows_the_bore_through_its_end) {
   expect_near(lengths(fluid, "pipe.bore", LineKind::contour), {50, 50}, 0.1);
 }
 
+// The pipe lies within it, and is seen as a hole through its end.
+TEST(Drawing, of_insulation_shows_both_its_sides) {
+  Assembly assembly =
+      parts(R"({"name": "pipe", "pipe": {"from": [0, 0, 0], "to": [0, 0, 50], "radius": 10}})");
+  assembly.insulation = 2;
+  const BuildOptions options{.region = Region::insulation};
+  std::vector<double> circles;
+  for (const DrawnLine& line : drawing(assembly, kPlan, false, options).lines) {
+    circles.push_back(length(line));
+  }
+  std::ranges::sort(circles);
+  ASSERT_GE(circles.size(), 2);
+  EXPECT_NEAR(circles[circles.size() - 1], 24 * pi, 0.1);
+  EXPECT_NEAR(circles[circles.size() - 2], 20 * pi, 0.1);
+  const Drawing front = drawing(assembly, view_along({0, 1, 0}), false, options);
+  expect_near(lengths(front, "pipe.insulation", LineKind::contour), {50, 50}, 0.1);
+  EXPECT_TRUE(lengths(front, "pipe", LineKind::contour).empty());
+  ASSERT_EQ(front.parts.size(), 1);
+  EXPECT_NEAR(front.parts[0].diameters[0], 24, 1e-9);
+}
+
 // The chain's own wall, which the document does not state.
 TEST(Drawing, of_a_hollow_chain_shows_its_bore) {
   const Drawing metal =
