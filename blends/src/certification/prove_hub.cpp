@@ -22,6 +22,9 @@ class Search {
 
   ClearanceClaim run() {
     ClearanceClaim result;
+    if (!verification::begins_outside(arm_, hub_)) {
+      return {};
+    }
     for (double piece = 0; piece < arm_.length(); ++piece) {
       if (!prove({piece, piece + 1}, result)) {
         return {};

@@ -127,9 +127,22 @@ bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& h
       hub.radius);
 }
 
+bool begins_outside(const Solid& arm, const Sphere& hub) {
+  spend(kDiscWork);
+  const auto disc = arm.pieces().empty() ? std::nullopt : arm.pieces().front().motion(0, 0);
+  if (!disc) {
+    return false;
+  }
+  const IntervalVec normal = part(disc->normal, 0);
+  const IntervalVec to_hub = numbers::interval_vec(hub.center) - part(disc->center, 0);
+  const Interval height = numbers::dot(to_hub, normal);
+  const Interval aside = numbers::norm(to_hub - height * normal) - disc->radius[0];
+  return (square(height) + square(max(aside, 0)) - square(Interval(hub.radius))).lower > 0;
+}
+
 bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& claim) {
   return has_form(claim) && claim.verdict == Verdict::proved && !claim.overlap &&
-         claim.distance == 0 && claim.corner == 0 &&
+         claim.distance == 0 && claim.corner == 0 && begins_outside(arm, hub) &&
          covered({0, arm.length()}, {0, 1}, claim.leaves, false) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
            return !leaf.direction && is_stretch(leaf.first, arm.length()) &&

@@ -22,6 +22,10 @@ inline constexpr std::uint64_t kWorkOfCaps = 16;
 /// Whether all circles of a stretch of an arm, but for its last one, lie outside of the hub.
 [[nodiscard]] bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& hub);
 
+/// Whether the disc in which the arm begins has no point in the hub. Circles alone would let it
+/// come in through there.
+[[nodiscard]] bool begins_outside(const Solid& arm, const Sphere& hub);
+
 /// Whether a claim that is proved, that an arm has nothing in common with its hub but the cap,
 /// follows; the arm is the claim's first part, the hub, with the parameters [0, 1], the second.
 [[nodiscard]] bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& claim);

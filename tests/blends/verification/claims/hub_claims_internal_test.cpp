@@ -32,6 +32,10 @@ CertifiedPart arm_part(const Junction& junction, std::size_t i) {
 
 Solid arm_of(const Junction& junction, std::size_t i) { return Solid(arm_part(junction, i)); }
 
+CyclidePiece straight(const PeVector& first, const PeVector& last) {
+  return test::cyclide_piece(PeArc::from(first, {Vec3::UnitX(), 0}, last));
+}
+
 TEST(HubClaims, arms_are_those_that_end_in_the_very_sphere) {
   const Junction junction = skew();
   for (std::size_t i = 0; i < junction.arms.size(); ++i) {
@@ -151,6 +155,52 @@ TEST(HubClaims, arms_that_bend_into_the_hub_are_not_outside) {
   }
 }
 
+// A pipe that begins a little inside of the hub's ball, on the far side, turns round and comes back
+// to end in it: its circles are outside, and the ball comes in through the disc where it begins.
+TEST(HubClaims, arms_that_begin_in_the_hub_are_not_outside) {
+  constexpr int kLeaves = 1024;  // of a piece
+  for (const double begin : {1.9, 2.1}) {
+    const Sphere hub{Vec3::Zero(), 2};
+    Chain chain;
+    PeVector from{Vec3(begin, 0, 0), 1}, tangent{Vec3::UnitX(), 0};
+    for (const PeVector& to : std::vector<PeVector>{{Vec3(begin + 10, 10, 0), 1},
+                                                    {Vec3(begin, 20, 0), 1},
+                                                    {Vec3(-2.5, 20, 0), 1},
+                                                    {Vec3(-12.5, 10, 0), 1},
+                                                    {Vec3(-2.5, 0, 0), 1},
+                                                    {hub.center, hub.radius}}) {
+      const PeArc arc = PeArc::from(from, tangent, to);
+      chain.pieces.emplace_back(test::cyclide_piece(arc));
+      tangent = arc.end_tangent();
+      from = to;
+    }
+    const Solid arm({"", "", chain, {}});
+    ASSERT_TRUE(is_arm(arm, hub));
+    EXPECT_EQ(begins_outside(arm, hub), begin > 2);
+    ClearanceClaim claim{0, 1, Verdict::proved, 0, {}, {}};
+    for (double k = 0; k < kLeaves * arm.length(); ++k) {
+      claim.leaves.push_back({{k / kLeaves, (k + 1) / kLeaves}, {0, 1}, {}});
+      EXPECT_TRUE(keeps_outside(arm, claim.leaves.back().first, hub)) << k;
+    }
+    EXPECT_EQ(follows_at_hub(arm, hub, claim), begin > 2);
+    EXPECT_EQ(certification::prove_at_hub(arm, hub, 1 << 12).verdict,
+              begin > 2 ? Verdict::proved : Verdict::undecided);
+  }
+}
+
+// A disc is as far as its nearest point, be it on its circle or within.
+TEST(HubClaims, arms_begin_outside_where_the_nearest_point_of_the_disc_is) {
+  const Solid arm = test::solid(straight({{0, 0, 0}, 1}, {{8, 0, 0}, 1}));
+  EXPECT_TRUE(begins_outside(arm, {{-2.001, .5, 0}, 2}));
+  EXPECT_FALSE(begins_outside(arm, {{-1.999, .5, 0}, 2}));
+  EXPECT_TRUE(begins_outside(arm, {{2.001, .5, 0}, 2})) << "the hub within the pipe";
+  EXPECT_TRUE(begins_outside(arm, {{-3, 5.001, 0}, 5}));
+  EXPECT_FALSE(begins_outside(arm, {{-3, 4.999, 0}, 5}));
+  EXPECT_TRUE(begins_outside(arm, {{0, 3.001, 0}, 2}));
+  EXPECT_FALSE(begins_outside(arm, {{0, 2.999, 0}, 2}));
+  EXPECT_FALSE(begins_outside(test::ball({0, 0, 0}, 1), {{9, 0, 0}, 1})) << "no disc";
+}
+
 // Corners of a regular polygon on a great circle of the hub, with its middle the deepest.
 TEST(HubClaims, of_a_mesh_bound_its_triangles) {
   const Sphere hub{{1, 2, 3}, 5};
@@ -172,10 +222,6 @@ TEST(HubClaims, of_a_mesh_bound_its_triangles) {
   EXPECT_FALSE(follows_of_hub(hub, {2, 0, {}, 1e9}));
   EXPECT_FALSE(follows_of_hub(hub, {8, -1, {}, 1e9}));
   EXPECT_FALSE(follows_of_hub(hub, {8, 0, {}, std::nan("")}));
-}
-
-CyclidePiece straight(const PeVector& first, const PeVector& last) {
-  return test::cyclide_piece(PeArc::from(first, {Vec3::UnitX(), 0}, last));
 }
 
 TEST(HubClaims, arms_are_open_and_full) {
