@@ -347,8 +347,9 @@ class Certifier {
   [[nodiscard]] std::vector<LoopClaims> fillet_claims(
       verification::LoopArcs* loops, const std::array<std::uint32_t, 2>& pipes,
       const std::vector<surfaces::FilletMesh>& meshes, ClaimWork& work) const {
-    const std::array<Ring, 2> starts{solids_[pipes[0]].pieces().front().start,
-                                     solids_[pipes[1]].pieces().front().start};
+    const verification::RolledPipes rolled = verification::rolled_pipes(
+        loops[0].loop->quadrics,
+        {&solids_[pipes[0]].pieces().front(), &solids_[pipes[1]].pieces().front()});
     std::vector<LoopClaims> claims;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       loops[i].cells.clear();
@@ -356,7 +357,7 @@ class Certifier {
           certification::prove_loop(*loops[i].loop,
                                     {meshes[i].tessellation.knots, meshes[i].columns, grid_},
                                     {options_.margin, options_.boxes, assembly_.tolerance}),
-          loops[i], starts, assembly_.tolerance, work));
+          loops[i], rolled, assembly_.tolerance, work));
     }
     return claims;
   }

@@ -72,10 +72,9 @@ struct MeshRooms {
                                                      ClaimWork& work);
 
 /// A loop of a fillet, which outlives what is read of it. What does not follow is undecided. Throws
-/// Error{invalid_argument} where it is found that the ball touches beyond the ends of the pipes, of
-/// which `starts` are the rings that are no quadrics of the loop.
+/// Error{invalid_argument} where it is found that the ball touches beyond the ends of the pipes.
 [[nodiscard]] LoopClaims agreed(LoopClaims claims, LoopArcs& loop,
-                                const std::array<Ring, 2>& starts, double tolerance,
+                                const verification::RolledPipes& pipes, double tolerance,
                                 ClaimWork& work);
 
 /// The pairs of parts that need a claim of their own where all others are claimed to be so far

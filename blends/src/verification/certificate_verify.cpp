@@ -150,22 +150,24 @@ bool is_straight(const Solid& pipe) {
          pipe.pieces().front().tubes.front().is_cone();
 }
 
-// The quadrics are those of the pipes, so that what touches these between the pipes' ends touches
-// the pipes.
+// The quadrics are those of the pipes but for the difference, which is part of what is claimed, so
+// that what touches these between the pipes' ends touches the pipes.
 LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
                      const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
-  std::array<Ring, 2> starts;
+  std::array<const Piece*, 2> pipes{};
   for (std::size_t side = 0; side < 2; ++side) {
     const Solid& pipe = solids[fillet.between.at(side)];
     require(!pipe.pieces().empty() && is_same(loop.quadrics.at(side), end_ring(pipe, End::end)) &&
                 !loop.quadrics.at(side).ellipse,
             fillet.name, "between");
     require(is_straight(pipe), fillet.name, "between");
-    starts.at(side) = end_ring(pipe, End::start);
+    pipes.at(side) = &pipe.pieces().front();
   }
   if (const auto& contact = claims.contact) {
+    const auto [starts, difference] = rolled_pipes(loop.quadrics, pipes);
     require(touches_between(loop, starts, tolerance), fillet.name, "between");
-    require(follows(loop, *contact) && contact->offset <= tolerance, fillet.name, "contact");
+    require(follows(loop, about_quadrics(*contact, difference)) && contact->offset <= tolerance,
+            fillet.name, "contact");
   }
   auto cells = regular_cells(loop, claims.regular);
   require(cells || (is_undecided(claims.regular.verdict) && has_form(claims.regular)), fillet.name,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "verification/admitted.h"
 
@@ -252,7 +253,56 @@ EndDifference difference_at(const RationalRingedTube& tube, const Piece&, const 
           std::nullopt};
 }
 
+// A wall as it is from a quadric: about points y on the axis, `aside` from the quadric's, of the
+// radius R, R - r - q h(y) being what a ring of that radius there would be off.
+struct Misfit {
+  Wide off = 0, aside = 0, least_radius, largest_radius;
+};
+
+// All of it is affine or convex along the line, and so largest at an end.
+Misfit misfit_of(const Ring& quadric, const WideVec& axis, const Tube& cone,
+                 const LineSpine& line) {
+  Misfit result;
+  const double start = cone.radius_at(End::start), end = cone.radius_at(End::end);
+  for (const auto& [place, radius] : {std::pair(line.from, start), std::pair(line.to, end)}) {
+    const WideVec from = difference(vector(place), vector(quadric.center));
+    const Wide height = dot(from, axis), aside = length(difference(from, scaled(height, axis)));
+    const Wide off = magnitude(Wide(radius) - quadric.radius - quadric.slope * height);
+    result.off = std::max(upper(result.off), upper(off));
+    result.aside = std::max(upper(result.aside), upper(aside));
+  }
+  result.least_radius = std::min(start, end);
+  result.largest_radius = std::max(start, end);
+  return result;
+}
+
 }  // namespace
+
+// The proof is in docs/certificate_format.md, under contact.
+ConeDifference difference_from(const Ring& quadric, const Tube& cone) {
+  constexpr double kMoreThanHalfPi = 1.6;  // an angle is at most so many times its chord
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto* line = std::get_if<LineSpine>(&cone.surface().spine);
+  if (!cone.is_cone() || line == nullptr) {
+    return {kInfinity, kInfinity};
+  }
+  const WideVec stored = vector(quadric.normal),
+                along = difference(vector(line->to), vector(line->from));
+  const Wide whole = length(along);
+  const WideVec axis = scaled(1 / length(stored), stored), tangent = scaled(1 / whole, along);
+  const Misfit misfit = misfit_of(quadric, axis, cone, *line);
+  const Wide lean = length_of_cross(tangent, axis), slope = magnitude(Wide(quadric.slope));
+  const Wide rise = (Wide(cone.radius_at(End::end)) - cone.radius_at(End::start)) / whole;
+  const Wide share = lean * (lean + slope), rest = 1 - share;
+  const Wide offset = (misfit.off + misfit.aside + share * misfit.largest_radius) / rest;
+  const Wide nearest = misfit.least_radius - offset;
+  if (!dot(tangent, axis).is_positive() || !rest.is_positive() || !nearest.is_positive()) {
+    return {kInfinity, kInfinity};
+  }
+  const Wide chord = 2 * (misfit.aside / nearest + lean) + magnitude(rise - quadric.slope) +
+                     magnitude(rise) * lean;
+  return {upper(offset), upper(kMoreThanHalfPi * chord)};
+}
 
 Piece::Piece(const dupin::Piece& certified, double wall) : shape(certified) {
   std::visit(

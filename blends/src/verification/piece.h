@@ -47,4 +47,15 @@ struct EndDifference {
 
 [[nodiscard]] EndDifference end_difference(const Piece& piece, End end);
 
+/// How far the wall of a cylinder or cone is from a quadric all along it, both ways, and the angle
+/// in radians between both where they are nearest: upper bounds, infinite where the numbers do not
+/// tell.
+struct ConeDifference {
+  double offset = 0, deviation = 0;
+};
+
+/// Of a tube that is a cone, and the cone or cylinder that a ring belongs to, whose normal looks
+/// along the tube.
+[[nodiscard]] ConeDifference difference_from(const Ring& quadric, const Tube& cone);
+
 }  // namespace dupin::verification

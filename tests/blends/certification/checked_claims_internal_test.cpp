@@ -105,7 +105,7 @@ TEST(CheckedClaims, leave_undecided_how_near_a_ball_keeps) {
   std::array<Ring, 2> near = starts;
   near[1].center = loop.quadrics[1].center - 9 * near[1].normal;
   const auto agreed = [&](const ContactClaim& claim, const std::array<Ring, 2>& from,
-                          std::uint64_t checks) {
+                          std::uint64_t checks, double off = 0) {
     ClaimWork work({kUsual.searches, checks});
     LoopArcs arcs{&loop, {}};
     CanalFillet longer = loop;
@@ -116,13 +116,20 @@ TEST(CheckedClaims, leave_undecided_how_near_a_ball_keeps) {
     arcs.loop = &longer;
     LoopClaims claims;
     claims.contact = claim;
-    return certification::agreed(claims, arcs, from, .02, work).contact;
+    return certification::agreed(claims, arcs, {from, {off, off}}, .02, work).contact;
   };
   const ContactClaim right{1e-9, 1e-9};
   EXPECT_TRUE(agreed(right, starts, CertificateLimits::kWork));
   EXPECT_FALSE(agreed(right, starts, 0));
   EXPECT_FALSE(agreed({0, 1}, starts, CertificateLimits::kWork));
   EXPECT_THROW((void)agreed(right, near, CertificateLimits::kWork), Error);
+  // What the pipes are off is in the claim, where it has no room for that.
+  EXPECT_EQ(agreed(right, starts, CertificateLimits::kWork, 1e-10)->offset, 1e-9);
+  const auto wider = agreed(right, starts, CertificateLimits::kWork, 1e-6);
+  ASSERT_TRUE(wider);
+  EXPECT_NEAR(wider->offset, 2e-6, 2e-9);
+  EXPECT_NEAR(wider->deviation, 2e-6, 2e-9);
+  EXPECT_FALSE(agreed(right, starts, CertificateLimits::kWork, .015)) << "beyond the tolerance";
 }
 
 TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_left_for) {

@@ -130,6 +130,44 @@ TEST(VerifyCertificate, of_fillets_takes_no_other_claims_about_loops) {
   EXPECT_EQ(less.findings(), findings + 1);
 }
 
+RingedSurface& surface_of(Certificate& c, std::size_t part) {
+  return std::get<RingedSurface>(std::get<Chain>(c.parts[part].shape).pieces.front());
+}
+
+// Its end ring is still that of the cylinder on which the balls roll.
+TEST(VerifyCertificate, of_fillets_is_about_pipes_that_are_their_quadrics_all_along) {
+  const auto lean = [](double by) {
+    return [=](Certificate& c) {
+      std::get<LineSpine>(surface_of(c, 1).spine).from.x() += by;
+      c.claims[1].tangency[0] = c.claims[1].tangency[1] = {1, .1, .1, 0};
+    };
+  };
+  const auto narrow = [](double by) {
+    return [=](Certificate& c) {
+      surface_of(c, 1).radius = LinearRadius{1 - by, 1};
+      surface_of(c, 1).start.radius = 1 - by;
+      c.claims[1].tangency[0].deviation = c.claims[1].tangency[1].deviation = 1;
+    };
+  };
+  expect_named(throat(), {{"a cone", "contact", narrow(.5)},
+                          {"a cone, but for little", "contact", narrow(0x1p-30)},
+                          {"another axis", "contact", lean(.01)},
+                          {"another axis, but for little", "contact", lean(0x1p-30)},
+                          {"a line that looks back", "contact", [](Certificate& c) {
+                             auto& line = std::get<LineSpine>(surface_of(c, 1).spine);
+                             std::swap(line.from, line.to);
+                             c.tolerance = 1e3;
+                             c.claims[1].tangency[0] = c.claims[1].tangency[1] = {4, 4, 20, 0};
+                           }}});
+  Certificate c = throat();
+  narrow(0x1p-30)(c);
+  for (LoopClaims& claims : c.fillet_claims[0]) {
+    claims.contact->offset += 0x1p-30;
+    claims.contact->deviation += 0x1p-30;
+  }
+  EXPECT_NO_THROW(verify(c)) << "what is claimed is so much";
+}
+
 TEST(VerifyCertificate, of_fillets_needs_a_clearance_of_every_loop_and_part_but_its_pipes) {
   // Loops come after the parts: each and the ball, then both.
   ASSERT_EQ(throat().fillet_clearances.size(), 3U);

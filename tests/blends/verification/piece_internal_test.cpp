@@ -116,6 +116,42 @@ TEST(Piece, that_is_rational_has_the_normals_of_its_ends) {
   }
 }
 
+// Bounds are a little more than what differs at the end that differs most.
+TEST(Piece, of_a_cone_tells_how_far_it_is_from_a_quadric) {
+  const RingedSurface cone = test::cone({0, 0, 0}, {4, 0, 0}, 1, 2);
+  const Ring quadric{Vec3(4, 0, 0), Vec3::UnitX(), 2, .25};
+  const auto from = [&](const Ring& ring) { return difference_from(ring, Tube(cone)); };
+  EXPECT_EQ(from(quadric).offset, 0);
+  EXPECT_EQ(from(quadric).deviation, 0);
+  Ring other = quadric;
+  other.slope = 0;
+  EXPECT_NEAR(from(other).offset, 1, 1e-13);
+  EXPECT_GE(from(other).deviation, std::atan(.25));
+  other = quadric;
+  other.slope = .25 + 0x1p-20;
+  EXPECT_NEAR(from(other).offset, 0x1p-18, 1e-13) << "at the other end";
+  EXPECT_NEAR(from(other).deviation, 1.6 * 0x1p-20, 1e-13);
+  other = quadric;
+  other.radius += 0x1p-10;
+  EXPECT_NEAR(from(other).offset, 0x1p-10, 1e-13);
+  other = quadric;
+  other.center.y() += 0x1p-10;
+  EXPECT_NEAR(from(other).offset, 0x1p-10, 1e-13);
+  EXPECT_NEAR(from(other).deviation, 1.6 * 2 * 0x1p-10, 1e-5);
+  other = quadric;
+  other.normal = Vec3(std::cos(.01), std::sin(.01), 0);
+  EXPECT_NEAR(from(other).offset, 4 * std::sin(.01), .01) << "where it begins";
+  EXPECT_GE(from(other).offset, 4 * std::sin(.01));
+  EXPECT_GE(from(other).deviation, .01);
+  other.normal = -Vec3::UnitX();
+  other.slope = -.25;
+  EXPECT_TRUE(std::isinf(from(other).offset)) << "it looks back";
+  other = quadric;
+  other.center.y() += 1.001;
+  EXPECT_TRUE(std::isinf(from(other).deviation)) << "further off than the cone is wide";
+  EXPECT_TRUE(std::isinf(difference_from(quadric, Tube(test::elbow(4, 1.5, 1))).offset));
+}
+
 PeArc bent_arc() {
   return PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3(.1, 1, .2), .2),
                      test::sphere(.5, 5, .4, 1.6));

@@ -294,6 +294,24 @@ bool follows(const CanalFillet& loop, const ContactClaim& claim) {
          holds_all_along([&](const ParameterInterval& t) { return touches_on(loop, claim, t); });
 }
 
+RolledPipes rolled_pipes(const std::array<Ring, 2>& quadrics,
+                         const std::array<const Piece*, 2>& pipes) {
+  RolledPipes result;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Piece& pipe = *pipes.at(side);
+    const auto [offset, deviation] = difference_from(quadrics.at(side), pipe.tubes.front());
+    result.starts.at(side) = pipe.start;
+    result.difference.offset = std::max(result.difference.offset, offset);
+    result.difference.deviation = std::max(result.difference.deviation, deviation);
+  }
+  return result;
+}
+
+ContactClaim about_quadrics(const ContactClaim& claim, const ConeDifference& difference) {
+  return {(Interval(claim.offset) - difference.offset).lower,
+          (Interval(claim.deviation) - difference.deviation).lower};
+}
+
 bool touches_between(const CanalFillet& loop, const std::array<Ring, 2>& starts, double tolerance) {
   return holds_all_along(
       [&](const ParameterInterval& t) { return touches_between_on(loop, starts, tolerance, t); });

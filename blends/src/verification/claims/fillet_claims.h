@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "dupin/blends/certificate.h"
 #include "verification/motions/contact_arcs.h"
 #include "verification/motions/taylor_jet.h"
+#include "verification/piece.h"
 
 // Whether claims about a loop of a fillet follow from its numbers and its quadrics'. The lemmas and
 // their proofs are in docs/certificate_format.md.
@@ -52,6 +54,21 @@ struct ArcCell {
                          const DiscPairs& leaf);
 
 [[nodiscard]] bool follows(const CanalFillet& loop, const ContactClaim& claim);
+
+/// What a ball rolls between: the rings of its pipes that are no quadrics of the loop, and how far
+/// both are from these at most.
+struct RolledPipes {
+  std::array<Ring, 2> starts;
+  ConeDifference difference;
+};
+
+/// Pipes of one piece each, with a single tube.
+[[nodiscard]] RolledPipes rolled_pipes(const std::array<Ring, 2>& quadrics,
+                                       const std::array<const Piece*, 2>& pipes);
+
+/// What a claim about pipes leaves for their quadrics, which differ from the pipes by so much.
+[[nodiscard]] ContactClaim about_quadrics(const ContactClaim& claim,
+                                          const ConeDifference& difference);
 
 /// Whether it is found to on this stretch alone, of which both ends are in one half of the loop.
 [[nodiscard]] bool touches_on(const CanalFillet& loop, const ContactClaim& claim,
