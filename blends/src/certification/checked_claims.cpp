@@ -126,7 +126,9 @@ TangencyClaim agreed(TangencyClaim claim, const PieceEnd& at, double tolerance, 
                   name);
     }
     throw Error(Errc::invalid_argument,
-                "the stored rings differ from the surface by more than the tolerance", name);
+                "the stored rings differ from the surface by more than the tolerance, or than they "
+                "are wide",
+                name);
   }
   return claim;
 }

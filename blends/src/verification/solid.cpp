@@ -14,11 +14,11 @@ namespace {
 // Far more than a second.
 constexpr std::uint64_t kNotCounted = std::numeric_limits<std::uint64_t>::max();
 
-// Of the piece's discs, in the sense of its parameter.
-IntervalVec normal_at(const Piece& piece, End end) {
+EndDisc disc_at(const Piece& piece, End end) {
   const double t = end == End::end ? 1 : 0;
   const auto disc = piece.steered(t, t);
-  return disc ? part(disc->normal, 0) : everywhere();
+  return disc ? EndDisc{part(disc->normal, 0), part(disc->center, 0)}
+              : EndDisc{everywhere(), everywhere()};
 }
 
 // With spheres (m; r) the rim at an end is m + s u for u.m' = -r' and r - wall <= s <= r: where r
@@ -103,7 +103,7 @@ const Solid::Looks& Solid::looks() const {
       looks_->boxes.push_back(hull_of(boxes));
     }
     for (const Piece& piece : pieces_) {
-      looks_->normals.push_back({normal_at(piece, End::start), normal_at(piece, End::end)});
+      looks_->ends.push_back({disc_at(piece, End::start), disc_at(piece, End::end)});
     }
   });
   return *looks_;
@@ -130,22 +130,24 @@ bool have_rims_apart(const std::optional<Rim>& first, const std::optional<Rim>& 
                                          .upper <= tolerance);
 }
 
-Interval turn_between(const IntervalVec& before, const IntervalVec& after) {
+Step step_between(const EndDisc& before, const EndDisc& after) {
   constexpr double kMoreThanHalfPi = 1.6;  // an angle is at most so many times its chord
-  return (kMoreThanHalfPi * numbers::norm(after - before)).upper;
+  return {(kMoreThanHalfPi * numbers::norm(after.normal - before.normal)).upper,
+          numbers::norm(after.center - before.center).upper};
 }
 
-Interval Solid::turn_at(std::size_t i) const {
-  const auto& normals = looks().normals;
-  return turn_between(normals[(i == 0 ? normals.size() : i) - 1][1], normals[i][0]);
+Step Solid::step_at(std::size_t i) const {
+  const auto& ends = looks().ends;
+  return step_between(ends[(i == 0 ? ends.size() : i) - 1][1], ends[i][0]);
 }
 
-IntervalVec Solid::outward(End end) const {
-  const auto& normals = looks().normals;
-  if (normals.empty()) {
-    return everywhere();
+EndDisc Solid::outward(End end) const {
+  const auto& ends = looks().ends;
+  if (ends.empty()) {
+    return {everywhere(), everywhere()};
   }
-  return end == End::end ? normals.back()[1] : Interval(-1) * normals.front()[0];
+  return end == End::end ? ends.back()[1]
+                         : EndDisc{Interval(-1) * ends.front()[0].normal, ends.front()[0].center};
 }
 
 std::vector<PlacedBall> balls_around_piece(const Solid& solid, double i) {

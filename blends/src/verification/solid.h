@@ -22,6 +22,20 @@ struct Rim {
   double beyond = 0;  ///< how far that may lie beyond the outer one's disc, from above
 };
 
+/// The disc in which pieces begin or end; everywhere where the numbers do not tell.
+struct EndDisc {
+  IntervalVec normal, center;
+};
+
+/// How the discs on both sides of a joint differ, from above: by an angle in radians, and how far
+/// their centres are apart.
+struct Step {
+  Interval turn, gap;
+};
+
+/// Of normals that look the same way.
+[[nodiscard]] Step step_between(const EndDisc& before, const EndDisc& after);
+
 /// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. The
 /// pieces of a chain with kneecaps meet in balls, of which it has what lies between their discs.
 class Solid {
@@ -48,10 +62,10 @@ class Solid {
   [[nodiscard]] const std::vector<IntervalVec>& boxes() const;
   /// Of a piece, the diagonal of its box, from above; infinite where the numbers do not tell.
   [[nodiscard]] double size_of_piece(std::size_t i) const;
-  /// How much the discs turn at once where piece i begins, from above; at 0 in a closed chain.
-  [[nodiscard]] Interval turn_at(std::size_t i) const;
-  /// The unit normal of the disc at an end, outward; everywhere where the numbers do not tell.
-  [[nodiscard]] IntervalVec outward(End end) const;
+  /// Where piece i begins; at 0 in a closed chain.
+  [[nodiscard]] Step step_at(std::size_t i) const;
+  /// The disc at an end, its normal outward.
+  [[nodiscard]] EndDisc outward(End end) const;
   /// Of an open end of a hollow chain.
   [[nodiscard]] const std::optional<Rim>& rim(End end) const { return rims_.at(at(end)); }
   /// Of a stretch within one piece, and of the rim if it ends there; none where the numbers do not
@@ -66,7 +80,7 @@ class Solid {
   struct Looks {
     std::once_flag found;
     std::vector<IntervalVec> boxes;
-    std::vector<std::array<IntervalVec, 2>> normals;  ///< at the ends of each piece
+    std::vector<std::array<EndDisc, 2>> ends;  ///< of each piece, in the sense of its parameter
   };
   [[nodiscard]] const Looks& looks() const;
   std::shared_ptr<Looks> looks_ = std::make_shared<Looks>();
@@ -77,9 +91,6 @@ class Solid {
 /// Whether the rims at a joint reach into the other part by at most the tolerance, or are one.
 [[nodiscard]] bool have_rims_apart(const std::optional<Rim>& first,
                                    const std::optional<Rim>& second, double tolerance);
-
-/// The angle between unit normals, from above.
-[[nodiscard]] Interval turn_between(const IntervalVec& before, const IntervalVec& after);
 
 /// A ball of which the middle is within a box.
 struct PlacedBall {

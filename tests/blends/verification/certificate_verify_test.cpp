@@ -66,6 +66,64 @@ RingedSurface& surface(Certificate& c, std::size_t i) {
 
 TEST(VerifyCertificate, believes_what_is_true) { EXPECT_NO_THROW(verify(certificate())); }
 
+// Any tolerance may be stated where nobody knows the document.
+TEST(VerifyCertificate, believes_of_no_joint_what_only_its_tolerance_says) {
+  const auto with_second = [](const Vec3& from, const Vec3& to, double angle, double offset) {
+    Certificate c = certificate();
+    c.parts.pop_back();
+    c.claims.pop_back();
+    c.clearances.resize(1);
+    c.tolerance = 100;
+    surface(c, 1).spine = LineSpine{from, to};
+    c.claims[1].tangency = {{4, angle, offset, {}}, {4, angle, offset, {}}};
+    return c;
+  };
+  EXPECT_NO_THROW(verify(with_second({4, 0, 0}, {8, 0, 0}, 0, 1e-300)));
+  EXPECT_THROW(verify(with_second({4, 0, 0}, {0, 0, 0}, 3.2, 8)), Error) << "it goes back";
+  EXPECT_THROW(verify(with_second({10, 0, 0}, {14, 0, 0}, 0, 6)), Error) << "they do not meet";
+  EXPECT_THROW(verify(with_second({2, 0, 0}, {6, 0, 0}, 0, 2)), Error) << "they overlap";
+}
+
+// A chain whose second piece begins within the first.
+TEST(VerifyCertificate, believes_of_no_chain_that_it_goes_on_where_it_goes_back) {
+  for (const double back : {0., .5, 2.}) {
+    Certificate c = certificate();
+    std::get<Chain>(c.parts[0].shape).pieces.emplace_back(pipe({4, 0, 0}, {8, 0, 0}));
+    auto& second = std::get<RingedSurface>(std::get<Chain>(c.parts[0].shape).pieces.back());
+    second.spine = LineSpine{Vec3(4 - back, 0, 0), Vec3(8 - back, 0, 0)};
+    c.parts.resize(1);
+    c.parts[0].joined = {};
+    c.claims.resize(1);
+    c.clearances.clear();
+    c.tolerance = 100;
+    PartClaims& claims = c.claims[0];
+    claims.regular->leaves = {{0, 1}, {1, 2}};
+    claims.mesh.reset();
+    claims.tangency.push_back({0, 0, back + 1e-300, {}});
+    claims.tangency.push_back({0, 0, back + 1e-300, {}});
+    const auto is_believed = [&](std::vector<DiscPairs> leaves) {
+      claims.embedded->leaves = std::move(leaves);
+      try {
+        verify(c);
+        return true;
+      } catch (const Error&) {
+        return false;
+      }
+    };
+    EXPECT_EQ(is_believed({{{0, 2}, {0, 2}, {}}}), false) << "a run needs a direction";
+    EXPECT_EQ(is_believed({{{0, 1}, {0, 1}, {}}, {{0, 1}, {1, 2}, {}}, {{1, 2}, {1, 2}, {}}}),
+              back < 1)
+        << back;
+    EXPECT_EQ(is_believed({{{0, 1}, {0, 1}, {}},
+                           {{0, .9375}, {1, 2}, {}},
+                           {{.9375, 1}, {1, 1.0625}, {}},
+                           {{.9375, 1}, {1.0625, 2}, {}},
+                           {{1, 2}, {1, 2}, {}}}),
+              back == 0)
+        << "a leaf that is shorter than what is off";
+  }
+}
+
 TEST(VerifyCertificate, does_not_ask_about_what_is_undecided) {
   Certificate c = certificate();
   c.claims[0].regular = RegularClaim{};

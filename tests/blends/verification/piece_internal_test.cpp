@@ -124,9 +124,11 @@ TEST(Piece, of_a_cone_tells_how_far_it_is_from_a_quadric) {
   EXPECT_EQ(from(quadric).offset, 0);
   EXPECT_EQ(from(quadric).deviation, 0);
   Ring other = quadric;
+  other.slope = .125;
+  EXPECT_NEAR(from(other).offset, .5, 1e-13);
+  EXPECT_GE(from(other).deviation, std::atan(.25) - std::atan(.125));
   other.slope = 0;
-  EXPECT_NEAR(from(other).offset, 1, 1e-13);
-  EXPECT_GE(from(other).deviation, std::atan(.25));
+  EXPECT_TRUE(std::isinf(from(other).offset)) << "as far off as the cone is wide";
   other = quadric;
   other.slope = .25 + 0x1p-20;
   EXPECT_NEAR(from(other).offset, 0x1p-18, 1e-13) << "at the other end";

@@ -140,8 +140,11 @@ TEST(Solid, knows_of_rims_and_normals_within_bounds) {
   EXPECT_TRUE(have_rims_apart(at, far, .51));
   EXPECT_FALSE(have_rims_apart(at, far, .49));
   const numbers::IntervalVec along{1, zero, zero}, turned{Interval(.8, 1), Interval(0, .6), zero};
-  EXPECT_GE(turn_between(along, turned).upper, std::atan2(.6, .8));
-  EXPECT_LT(turn_between(along, along).upper, 1e-9);
+  EXPECT_GE(step_between({along, along}, {turned, along}).turn.upper, std::atan2(.6, .8));
+  EXPECT_LT(step_between({along, along}, {along, along}).turn.upper, 1e-9);
+  EXPECT_EQ(step_between({along, along}, {along, along}).gap.upper, 0);
+  EXPECT_GE(step_between({along, along}, {along, turned}).gap.upper, std::hypot(.2, .6));
+  EXPECT_LT(step_between({along, along}, {along, turned}).gap.upper, .64);
 }
 
 TEST(Solid, knows_how_much_it_turns_at_joints) {
@@ -151,11 +154,15 @@ TEST(Solid, knows_how_much_it_turns_at_joints) {
   CertifiedPart part = test::part(line({0, 0, 0}, {5, 0, 0}), line({5, 0, 0}, {9, 0, 0}),
                                   line({9, 0, 0}, {9, 7, 0}));
   const Solid solid(part);
-  EXPECT_NEAR(solid.turn_at(1).upper, 0, 1e-14);
-  EXPECT_GE(solid.turn_at(2).upper, std::numbers::pi / 2);
-  EXPECT_LT(solid.turn_at(2).upper, 2.5);
-  EXPECT_TRUE(holds(solid.outward(End::start), Vec3(-1, 0, 0), 1e-14));
-  EXPECT_TRUE(holds(solid.outward(End::end), Vec3(0, 1, 0), 1e-14));
+  EXPECT_NEAR(solid.step_at(1).turn.upper, 0, 1e-14);
+  EXPECT_GE(solid.step_at(2).turn.upper, std::numbers::pi / 2);
+  EXPECT_LT(solid.step_at(2).turn.upper, 2.5);
+  EXPECT_NEAR(solid.step_at(2).gap.upper, 0, 1e-12);
+  EXPECT_NEAR(solid.step_at(0).gap.upper, std::hypot(9, 7), 1e-12) << "if it were closed";
+  EXPECT_TRUE(holds(solid.outward(End::start).center, Vec3(0, 0, 0), 1e-14));
+  EXPECT_TRUE(holds(solid.outward(End::end).center, Vec3(9, 7, 0), 1e-14));
+  EXPECT_TRUE(holds(solid.outward(End::start).normal, Vec3(-1, 0, 0), 1e-14));
+  EXPECT_TRUE(holds(solid.outward(End::end).normal, Vec3(0, 1, 0), 1e-14));
   EXPECT_NEAR(solid.size_of_piece(0), std::sqrt(7. * 7 + 2. * 2 + 2. * 2), 1e-12);
 }
 

@@ -1,9 +1,11 @@
 #include "verification/claims/pair_claims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "verification/admitted.h"
 #include "verification/covering.h"
@@ -68,10 +70,11 @@ bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, doubl
 }
 
 // Of a stretch of an arc, which is one of an ellipse with the semi-axes a and b, a circle but for
-// rounding: min(a, b)^2 - R max(a, b), from below, and |a^2 - b^2|, from above.
+// rounding: min(a, b)^2 - R max(a, b), from below, and |a^2 - b^2| and
+// max(a, b)^2, from above.
 struct ArcRoom {
   double least;
-  Interval difference;
+  Interval difference, largest;
 };
 
 std::optional<ArcRoom> room_on_arc(const Piece& piece, const ParameterInterval& t) {
@@ -84,7 +87,7 @@ std::optional<ArcRoom> room_on_arc(const Piece& piece, const ParameterInterval& 
   const IntervalVec v = numbers::cross(numbers::interval_vec(arc->axis), u);
   const Interval a = numbers::dot(u, u), b = numbers::dot(v, v);
   const Interval reach = Interval(discs->radius.magnitude()) * sqrt(max(a, b));
-  return ArcRoom{(min(a, b) - reach).lower, (a - b).magnitude()};
+  return ArcRoom{(min(a, b) - reach).lower, (a - b).magnitude(), max(a, b).upper};
 }
 
 // The fifth lemma of docs/certificate_format.md: of discs on one arc.
@@ -94,20 +97,23 @@ bool turns_less_than_once(const Piece& piece, const ParameterInterval& t) {
          narrowed(Mpfi(piece.tubes.front().arc()->angle) - 2 * Mpfi::pi()).upper < 0;
 }
 
-// The same lemma: all discs are on one side of the plane of the stretch's first, and of its last.
-bool stays_on_one_side(const Piece& piece, const ParameterInterval& t) {
+// The same lemma: all discs are on one side of the plane of the stretch's first, and of its last,
+// and that by so much of how far their centres are from its own, from below; not positive where the
+// numbers do not tell.
+double share_on_one_side(const Piece& piece, const ParameterInterval& t) {
   const auto* line =
       piece.tubes.empty() ? nullptr : std::get_if<LineSpine>(&piece.tubes.front().surface().spine);
   if (line != nullptr) {
-    return line->from != line->to;
+    return line->from != line->to ? 1 : 0;
   }
   const auto room = room_on_arc(piece, t);
   if (!room || !(room->least > 0)) {
-    return false;
+    return 0;
   }
   const Mpfi half = Mpfi(piece.tubes.front().arc()->angle) * (Mpfi(t.to) - t.from) / 2;
-  return narrowed(half - Mpfi::pi() / 2).upper < 0 &&
-         (narrowed(cosine(half)) * room->least - room->difference).lower > 0;
+  return narrowed(half - Mpfi::pi() / 2).upper < 0
+             ? ((narrowed(cosine(half)) * room->least - room->difference) / room->largest).lower
+             : 0;
 }
 
 // The first lemma of docs/certificate_format.md; the piece is known to be regular with this margin.
@@ -132,14 +138,14 @@ bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, do
          (grows || falls || ((Interval(1) - margin) * range.upper).upper <= range.lower);
 }
 
-// A stretch of a piece on the way between two discs, and how much they turn at the joint before it.
+// A stretch of a piece on the way between two discs, and what is between it and the one before.
 struct Cell {
   const Piece* piece;
   ParameterInterval t;
-  Interval turn;
+  Step before;
 };
 
-bool append(const Solid& solid, const ParameterInterval& t, const Interval& turn,
+bool append(const Solid& solid, const ParameterInterval& t, const Step& before,
             std::vector<Cell>& way) {
   for (const ParameterInterval& stretch : cut(t)) {
     const Piece* piece = solid.piece(stretch);
@@ -148,7 +154,7 @@ bool append(const Solid& solid, const ParameterInterval& t, const Interval& turn
       return false;  // a ball
     }
     way.push_back(
-        {piece, within_piece(stretch), stretch.from == t.from ? turn : solid.turn_at(index)});
+        {piece, within_piece(stretch), stretch.from == t.from ? before : solid.step_at(index)});
   }
   return true;
 }
@@ -156,15 +162,45 @@ bool append(const Solid& solid, const ParameterInterval& t, const Interval& turn
 // On longer ways some piece turns too much; so they are not looked at.
 constexpr double kLongestWay = 2;
 
+// How far the centres at both ends are from each other, from below. A way whose stretches are asked
+// has been looked at in more places than these.
+Interval chord(const Cell& stretch) {
+  const WorkLimit not_counted(std::numeric_limits<std::uint64_t>::max());
+  const auto& [piece, t, before] = stretch;
+  const auto first = piece->steered(t.from, t.from), last = piece->steered(t.to, t.to);
+  return first && last ? numbers::norm(part(last->center, 0) - part(first->center, 0)).lower : 0;
+}
+
+// What discs of such a radius may be further on than they should, at the joints of the way.
+Interval loss_at_joints(const std::vector<Cell>& way, const Interval& radius) {
+  Interval loss = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    loss = loss + way[i].before.gap + radius * way[i].before.turn;
+  }
+  return loss.upper;
+}
+
+// What bounds the discs of a cell; the share is of how far centres move.
+struct Bounds {
+  Interval advance, sideways, turning, speed;
+};
+
+Interval least_share(std::span<const Bounds> cells, const Interval& phi, const Interval& radius) {
+  const Interval cosine = (Interval(1) - square(phi) / 2).lower;
+  double least = 1;
+  for (const auto& [advance, sideways, turning, speed] : cells) {
+    const Interval rest = advance * cosine - sideways * phi - radius * turning;
+    least = std::min(least, rest.lower > 0 ? (rest / speed).lower : 0);
+  }
+  return least;
+}
+
 // The second lemma, with sines and cosines replaced by phi and 1 - phi^2 / 2.
 bool advances(const std::vector<Cell>& way, int cells) {
-  struct Bounds {
-    Interval advance, sideways, turning;
-  };
   std::vector<Bounds> all;
   Interval radius = 0, phi = 0;
-  for (const auto& [piece, t, turn] : way) {
-    phi = phi + turn;
+  for (const auto& [piece, t, before] : way) {
+    phi = phi + before.turn;
     for (int i = 0; i < cells; ++i) {
       const double from = std::lerp(t.from, t.to, double(i) / cells);
       const double to = std::lerp(t.from, t.to, double(i + 1) / cells);
@@ -175,17 +211,22 @@ bool advances(const std::vector<Cell>& way, int cells) {
       const IntervalVec normal = part(disc->normal, 0), velocity = part(disc->center, 1);
       const Interval turning = numbers::norm(part(disc->normal, 1)).upper;
       all.push_back({numbers::dot(velocity, normal).lower,
-                     numbers::norm(numbers::cross(velocity, normal)).upper, turning});
+                     numbers::norm(numbers::cross(velocity, normal)).upper, turning,
+                     numbers::norm(velocity).upper});
       radius = std::max(radius.upper, disc->radius[0].upper);
       phi = phi + (Interval(to) - from) * turning;
     }
   }
   phi = phi.upper;
-  const Interval cosine = (Interval(1) - square(phi) / 2).lower;
-  return phi.upper < 1 && std::all_of(all.begin(), all.end(), [&](const Bounds& bounds) {
-           return (bounds.advance * cosine - bounds.sideways * phi - radius * bounds.turning)
-                      .lower > 0;
-         });
+  const Interval loss = loss_at_joints(way, radius);
+  for (std::size_t i = 0; phi.upper < 1 && i < way.size(); ++i) {
+    const Interval share = least_share(
+        std::span(all).subspan(i * std::size_t(cells), std::size_t(cells)), phi, radius);
+    if (!(share.lower > 0 && (way.size() == 1 || (share * chord(way[i]) - loss).lower > 0))) {
+      return false;
+    }
+  }
+  return phi.upper < 1;
 }
 
 bool advances(const std::vector<Cell>& way) {
@@ -198,11 +239,28 @@ bool advances(const std::vector<Cell>& way) {
   return false;
 }
 
-// The fifth lemma, of the discs before and behind a joint. is_near() bounds how far its planes are
-// from being one, along pieces with tubes, whose size is always known.
+// The fifth lemma, of the discs before and behind a joint.
 bool stays_apart(const std::vector<Cell>& way) {
-  return way.size() == 2 && stays_on_one_side(*way.front().piece, way.front().t) &&
-         stays_on_one_side(*way.back().piece, way.back().t);
+  if (way.size() != 2) {
+    return false;
+  }
+  Interval radius = 0;
+  std::array<double, 2> shares{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [piece, t, before] = way[i];
+    shares.at(i) = share_on_one_side(*piece, t);
+    if (!(shares.at(i) > 0)) {
+      return false;
+    }
+    for (const Tube& tube : piece->tubes) {
+      radius = std::max(radius.upper, tube.radius_range(t.from, t.to).magnitude());
+    }
+  }
+  const Interval loss = loss_at_joints(way, radius), turn = way.back().before.turn;
+  return std::ranges::all_of(std::array{0, 1}, [&](int i) {
+    const Interval share = Interval(shares.at(std::size_t(i))) - turn;
+    return share.lower > 0 && (share * chord(way[std::size_t(i)]) - loss).lower > 0;
+  });
 }
 
 bool does_not_come_back(const std::vector<Cell>& way) { return stays_apart(way) || advances(way); }
@@ -284,11 +342,11 @@ bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
     return true;
   }
   std::vector<Cell> way, around;
-  return (all.to - all.from <= kLongestWay && append(solid, all, 0, way) &&
+  return (all.to - all.from <= kLongestWay && append(solid, all, {}, way) &&
           does_not_come_back(way)) ||
          (solid.closed() && beyond <= kLongestWay &&
-          append(solid, {leaf.second.from, solid.length()}, 0, around) &&
-          append(solid, {0, leaf.first.to}, solid.turn_at(0), around) &&
+          append(solid, {leaf.second.from, solid.length()}, {}, around) &&
+          append(solid, {0, leaf.first.to}, solid.step_at(0), around) &&
           does_not_come_back(around));
 }
 
@@ -302,14 +360,16 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
   return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
     const auto one = to_joint(first, leaf.first, joint.first);
     const auto other = to_joint(second, leaf.second, joint.second);
-    const auto turn = [&] {
-      return turn_between(first.outward(joint.first), Interval(-1) * second.outward(joint.second));
+    const auto step = [&] {
+      auto [normal, center] = second.outward(joint.second);
+      return step_between(first.outward(joint.first), {Interval(-1) * normal, center});
     };
     std::vector<Cell> way;
     return joint.have_rims_apart && knees_at(first, one).empty() &&
            knees_at(second, other).empty() &&
-           one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, 0, way) &&
-           append(second, other, turn(), way) && does_not_come_back(way);
+           one.to - one.from + other.to - other.from <= kLongestWay &&
+           append(first, one, {}, way) && append(second, other, step(), way) &&
+           does_not_come_back(way);
   });
 }
 

@@ -31,11 +31,14 @@ bool curvature_follows(const Piece& piece, double claimed, End end) {
 }  // namespace
 
 // Of pieces of unknown size only the second lemma speaks, which counts how much discs turn at
-// joints.
+// joints. A disc that is further off than its ring is wide has no joint there, whatever tolerance a
+// certificate states.
 bool is_near(const TangencyClaim& claim, const Ring& ring, double size_of_piece, double tolerance) {
   const double size =
       std::isfinite(size_of_piece) ? std::max(size_of_piece, ring.radius) : ring.radius;
-  return (Interval(claim.offset) + Interval(claim.axis_angle) * size).upper <= tolerance;
+  const double width = ring.ellipse ? std::min(ring.radius, ring.ellipse->across) : ring.radius;
+  return (Interval(claim.offset) + Interval(claim.axis_angle) * size).upper <=
+         std::min(tolerance, width);
 }
 
 bool follows(const Piece& piece, const TangencyClaim& claim, End end) {

@@ -180,5 +180,51 @@ TEST(ArcLemma, of_a_chain_is_about_neighbours) {
   EXPECT_FALSE(is_embedded(chain(3.15), all));
 }
 
+// What is left out at a joint is as wide as it is off, and the stretches are longer than that.
+TEST(ArcLemma, counts_how_far_the_discs_of_a_joint_are_off) {
+  const RingedSurface pipe = test::cylinder({-8, 0, 0}, {0, 0, 0}, 1);
+  const auto goes_on = [&](double gap, double turn, double length) {
+    const Vec3 along(std::cos(turn), std::sin(turn), 0), from(gap, 0, 0);
+    const Vec3 between(std::cos(turn / 2), std::sin(turn / 2), 0);
+    const ClearanceClaim claim{0,
+                               1,
+                               Verdict::proved,
+                               0,
+                               {{{1 - length, 1}, {0, length}, {}},
+                                {{0, 1 - length}, {0, 1}, between},
+                                {{1 - length, 1}, {length, 1}, between}},
+                               {}};
+    return follows(test::solid(pipe), test::solid(test::cylinder(from, from + 8 * along, 1)),
+                   {kEndToStart}, claim);
+  };
+  EXPECT_TRUE(goes_on(0, 0, 0x1p-20));
+  for (const double gap : {-.25, .25}) {
+    EXPECT_TRUE(goes_on(gap, 0, 0x1p-4)) << "stretches of .5";
+    EXPECT_FALSE(goes_on(gap, 0, 0x1p-5)) << "stretches of .25";
+  }
+  // By at most .4 and the gap, where stretches of .5 and of 1 advance by more than .46 and .92.
+  EXPECT_TRUE(goes_on(0, .25, 0x1p-4));
+  EXPECT_FALSE(goes_on(.125, .25, 0x1p-4));
+  EXPECT_TRUE(goes_on(.5, .25, 0x1p-3));
+  EXPECT_FALSE(goes_on(.55, .25, 0x1p-3));
+}
+
+// An elbow advances by at least 2.99 of its chord, 5.45.
+TEST(ArcLemma, counts_how_far_arcs_are_off_as_they_advance) {
+  const auto apart = [](double from, double length) {
+    RingedSurface pipe = pipe_to(4, 1);
+    pipe.spine = LineSpine{Vec3(4, from - length, 0), Vec3(4, from, 0)};
+    return are_apart(test::solid(pipe), test::solid(test::elbow(4, 1.5, 1)), {kEndToStart}, {0, 1},
+                     {0, 1});
+  };
+  EXPECT_TRUE(apart(0, 30));
+  EXPECT_TRUE(apart(2.98, 30));
+  EXPECT_FALSE(apart(3, 30));
+  EXPECT_TRUE(apart(-2.98, 30));
+  EXPECT_FALSE(apart(-2.98, 2.97)) << "so long is the pipe";
+  const Solid back = test::solid(test::cylinder({4, 0, 0}, {4, -8, 0}, 1));
+  EXPECT_FALSE(are_apart(test::solid(pipe_to(4, 1)), back, {kEndToStart}, {0, 1}, {0, 1}));
+}
+
 }  // namespace
 }  // namespace dupin::verification

@@ -164,8 +164,8 @@ TEST(EmbeddedClaim, of_a_chain_that_turns_back_at_its_joint_does_not_follow) {
   }
 }
 
-// The first and the last of four straight pieces overlap, and the way from one to the other is
-// short only where the chain closes.
+// Between the first and the last of four straight pieces there is only the way on which the chain
+// closes; where they overlap, their discs are not those of one joint.
 TEST(EmbeddedClaim, goes_around_only_where_the_chain_closes) {
   const Vec3 up = Vec3::UnitY();
   const auto chain = [](const auto& last) {
@@ -184,11 +184,15 @@ TEST(EmbeddedClaim, goes_around_only_where_the_chain_closes) {
                                         {c, c, {}},
                                         {c, d, -up},
                                         {d, d, {}}});
-  CertifiedPart straight = chain(test::cylinder({1, 0, 0}, {4, 0, 0}, 1)),
+  CertifiedPart straight = chain(test::cylinder({-3, 0, 0}, {0, 0, 0}, 1)),
+                over = chain(test::cylinder({1, 0, 0}, {4, 0, 0}, 1)),
                 bent = chain(test::elbow(1.5, 1.2, 1));
   EXPECT_FALSE(follows(Solid(straight), claim, kRegular));
-  std::get<Chain>(straight.shape).closed = std::get<Chain>(bent.shape).closed = true;
+  for (CertifiedPart* const part : {&straight, &over, &bent}) {
+    std::get<Chain>(part->shape).closed = true;
+  }
   EXPECT_TRUE(follows(Solid(straight), claim, kRegular));
+  EXPECT_FALSE(follows(Solid(over), claim, kRegular));
   EXPECT_FALSE(follows(Solid(bent), claim, kRegular));
 }
 

@@ -65,6 +65,17 @@ TEST(TangencyClaim, is_near_if_all_of_the_piece_is) {
   EXPECT_TRUE(is_near({{}, 0, .02, {}}, ring, 1e300, .0201));
 }
 
+// A certificate may state any tolerance.
+TEST(TangencyClaim, is_near_no_further_than_its_ring_is_wide) {
+  Ring ring{Vec3::Zero(), Vec3::UnitX(), 2, 0};
+  EXPECT_TRUE(is_near({{}, 0, 1.999, {}}, ring, 30, 1e9));
+  EXPECT_FALSE(is_near({{}, 0, 2.001, {}}, ring, 30, 1e9));
+  EXPECT_FALSE(is_near({{}, .07, 0, {}}, ring, 30, 1e9));
+  ring.ellipse = Ellipse{Vec3::UnitY(), 1, 0};
+  EXPECT_TRUE(is_near({{}, 0, .999, {}}, ring, 30, 1e9));
+  EXPECT_FALSE(is_near({{}, 0, 1.001, {}}, ring, 30, 1e9));
+}
+
 TEST(TangencyClaim, is_about_the_moved_centre_and_the_radius) {
   RingedSurface surface = test::cylinder({0, 0, 0}, {3, 0, 0}, 1);
   surface.end.center = Vec3(3, .003, .004);
