@@ -1,12 +1,14 @@
 #include "verification/claims/hub_claims.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "verification/admitted.h"
 #include "verification/claims/mesh_claim.h"
 #include "verification/claims/pair_claims.h"
 #include "verification/covering.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 namespace {
@@ -127,17 +129,43 @@ bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& h
       hub.radius);
 }
 
+namespace {
+
+// Whether the disc's nearest point is further from there than the root of this.
+bool is_further(const MovingDisc& disc, const IntervalVec& from, const Interval& squared) {
+  const IntervalVec normal = part(disc.normal, 0), to = from - part(disc.center, 0);
+  const Interval height = numbers::dot(to, normal);
+  const Interval aside = numbers::norm(to - height * normal) - disc.radius[0];
+  return (square(height) + square(max(aside, 0)) - squared).lower > 0;
+}
+
+bool is_behind(const MovingDisc& disc, const MovingDisc& last) {
+  const IntervalVec normal = part(last.normal, 0);
+  const Interval reach = Interval(disc.radius[0].magnitude()) *
+                         numbers::norm(numbers::cross(part(disc.normal, 0), normal));
+  return (numbers::dot(part(disc.center, 0) - part(last.center, 0), normal) + reach).upper <= 0;
+}
+
+}  // namespace
+
+// What is in the hub and in front of the last circle's plane, is in every ball on the other side of
+// which that circle is, whose centre is further ahead: |x - o|^2 - R^2 less 2 mu (x - c).n.
 bool begins_outside(const Solid& arm, const Sphere& hub) {
-  spend(kDiscWork);
-  const auto disc = arm.pieces().empty() ? std::nullopt : arm.pieces().front().motion(0, 0);
-  if (!disc) {
+  const WorkLimit not_counted(std::numeric_limits<std::uint64_t>::max());
+  const auto& pieces = arm.pieces();
+  const auto first = pieces.empty() ? std::nullopt : pieces.front().motion(0, 0);
+  const auto last = pieces.empty() ? std::nullopt : pieces.back().motion(1, 1);
+  if (!first || !last) {
     return false;
   }
-  const IntervalVec normal = part(disc->normal, 0);
-  const IntervalVec to_hub = numbers::interval_vec(hub.center) - part(disc->center, 0);
-  const Interval height = numbers::dot(to_hub, normal);
-  const Interval aside = numbers::norm(to_hub - height * normal) - disc->radius[0];
-  return (square(height) + square(max(aside, 0)) - square(Interval(hub.radius))).lower > 0;
+  const IntervalVec normal = part(last->normal, 0), center = numbers::interval_vec(hub.center);
+  const Interval ahead = numbers::dot(center - part(last->center, 0), normal);
+  const double radii[] = {0, .25, .5, 1, 2, 4, 8, 16};
+  return is_behind(*first, *last) || std::ranges::any_of(radii, [&](double radii_ahead) {
+           const Interval mu = Interval(radii_ahead) * hub.radius;
+           return is_further(*first, center + mu * normal,
+                             square(Interval(hub.radius)) + square(mu) + Interval(2) * mu * ahead);
+         });
 }
 
 bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& claim) {

@@ -22,8 +22,9 @@ inline constexpr std::uint64_t kWorkOfCaps = 16;
 /// Whether all circles of a stretch of an arm, but for its last one, lie outside of the hub.
 [[nodiscard]] bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& hub);
 
-/// Whether the disc in which the arm begins has no point in the hub. Circles alone would let it
-/// come in through there.
+/// Whether the disc in which the arm begins has no point in the hub in front of the plane of the
+/// arm's last circle. Circles alone would let the hub come in through there. Two looks, which are
+/// not counted.
 [[nodiscard]] bool begins_outside(const Solid& arm, const Sphere& hub);
 
 /// Whether a claim that is proved, that an arm has nothing in common with its hub but the cap,

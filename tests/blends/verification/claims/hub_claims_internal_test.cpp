@@ -188,16 +188,25 @@ TEST(HubClaims, arms_that_begin_in_the_hub_are_not_outside) {
   }
 }
 
-// A disc is as far as its nearest point, be it on its circle or within.
+// A disc is as far as its nearest point, be it on its circle or within, and what is behind the
+// last circle, at x = 8, does not count.
 TEST(HubClaims, arms_begin_outside_where_the_nearest_point_of_the_disc_is) {
-  const Solid arm = test::solid(straight({{0, 0, 0}, 1}, {{8, 0, 0}, 1}));
-  EXPECT_TRUE(begins_outside(arm, {{-2.001, .5, 0}, 2}));
-  EXPECT_FALSE(begins_outside(arm, {{-1.999, .5, 0}, 2}));
-  EXPECT_TRUE(begins_outside(arm, {{2.001, .5, 0}, 2})) << "the hub within the pipe";
-  EXPECT_TRUE(begins_outside(arm, {{-3, 5.001, 0}, 5}));
-  EXPECT_FALSE(begins_outside(arm, {{-3, 4.999, 0}, 5}));
-  EXPECT_TRUE(begins_outside(arm, {{0, 3.001, 0}, 2}));
-  EXPECT_FALSE(begins_outside(arm, {{0, 2.999, 0}, 2}));
+  const auto begins = [](double begin, const Sphere& hub) {
+    return begins_outside(test::solid(straight({{begin, 0, 0}, 1}, {{8, 0, 0}, 1})), hub);
+  };
+  EXPECT_TRUE(begins(0, {{8, 0, 0}, 20})) << "all of the disc is behind";
+  EXPECT_TRUE(begins(7, {{8, 0, 0}, 20}));
+  const Solid back = test::solid(straight({{0, 0, 0}, 1}, {{8, 0, 0}, 1}),
+                                 straight({{-8, 9, 0}, 1}, {{-1, 9, 0}, 1}));
+  const auto backwards = [&](const Sphere& hub) { return begins_outside(back, hub); };
+  EXPECT_TRUE(backwards({{-2.001, .5, 0}, 2}));
+  EXPECT_FALSE(backwards({{-1.999, .5, 0}, 2})) << "in front of x = -1";
+  EXPECT_TRUE(backwards({{2.001, .5, 0}, 2})) << "the hub on the other side";
+  EXPECT_FALSE(backwards({{1.999, .5, 0}, 2}));
+  EXPECT_TRUE(backwards({{-3, 5.001, 0}, 5}));
+  EXPECT_FALSE(backwards({{-3, 4.999, 0}, 5}));
+  EXPECT_TRUE(backwards({{0, 3.001, 0}, 2}));
+  EXPECT_FALSE(backwards({{0, 2.999, 0}, 2}));
   EXPECT_FALSE(begins_outside(test::ball({0, 0, 0}, 1), {{9, 0, 0}, 1})) << "no disc";
 }
 
