@@ -219,6 +219,10 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
               "above " + number(tightest->margin) + " (" + tightest_name + ")");
   }
   print_row(out, "mesh error", mesh_error_text(certificate));
+  print_row(out, "tolerance", number(certificate.tolerance) + unit);
+  const JointFit joints = widest_joint(certificate);
+  print_row(out, "joints fit",
+            "within " + number(joints.offset) + unit + ", " + number(joints.angle) + " rad");
   if (!certificate.fillets.empty()) {
     print_row(out, "fillets touch pipes", contact_text(certificate));
   }
@@ -283,7 +287,7 @@ ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& commo
   {
     ProgressLine line(common.quiet);
     tell(line.callback(), "verify");
-    verify(certificate);
+    verify(certificate, input.name);
   }
   print_summary(std::cout, certificate, common);
   return verdict_on(certificate);

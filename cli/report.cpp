@@ -88,7 +88,7 @@ std::optional<Certificate> certificate_of(const ReportArguments& arguments, cons
     const Input claims = read_input(arguments.certificate);
     Certificate certificate = parse_certificate(claims.bytes, claims.name);
     require_about(certificate, input.bytes, input.name);
-    verify(certificate);
+    verify(certificate, claims.name);
     return certificate;
   }
   if (arguments.certify) {

@@ -22,7 +22,13 @@ TEST_F(Certify, proves_an_example_and_verify_agrees) {
   const auto proved = json({"certify", reducer, "-o", "a.cert.json"}, 0);
   EXPECT_EQ(proved.at("findings"), 0);
   EXPECT_EQ(proved.at("parts").size(), 3);
+  EXPECT_EQ(proved.at("tolerance"), 0.05);
+  EXPECT_GE(proved.at("joint_offset"), 0);
+  EXPECT_LT(proved.at("joint_offset"), 1e-9);
+  EXPECT_LT(proved.at("joint_angle"), 1e-9);
   EXPECT_EQ(json({"verify", "a.cert.json", reducer}, 0), proved);
+  const ProcessResult text = dupin({"verify", "a.cert.json"});
+  EXPECT_THAT(text.out, HasSubstr("tolerance            0.05 mm\njoints fit           within "));
   const ProcessResult other = dupin({"verify", "a.cert.json", example("u-bend.json")});
   EXPECT_EQ(other.exit_code, 3);
   EXPECT_THAT(other.err, HasSubstr("the certificate is not about this document"));

@@ -2,6 +2,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,23 @@
 namespace dupin::verification {
 namespace {
 
-void require(bool follows, const std::string& part, const std::string& claim) {
+// By keys and indices, as the text of a certificate has them.
+template <class... Steps>
+std::string place(const Steps&... steps) {
+  std::ostringstream text;
+  ((text << '/' << steps), ...);
+  return text.str();
+}
+
+[[noreturn]] void refuse(const std::string& message, const std::string& part,
+                         const std::string& place) {
+  throw Error(Errc::invalid_argument, message, part, "certificate#" + place);
+}
+
+void require(bool follows, const std::string& part, const std::string& claim,
+             const std::string& place) {
   if (!follows) {
-    throw Error(Errc::invalid_argument, "the claim '" + claim + "' does not follow", part,
-                "certificate");
+    refuse("the claim '" + claim + "' does not follow", part, place);
   }
 }
 
@@ -58,19 +72,21 @@ bool is_silent(const PartClaims& claims) {
 }
 
 void verify_joints(const Solid& solid, const std::string& name, const PartClaims& claims,
-                   double tolerance) {
+                   double tolerance, const std::string& at) {
   const auto& pieces = solid.pieces();
   verify_each(pieces.size(), [&](std::size_t i) {
-    require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
-                follows(pieces[i], claims.tangency[2 * i + 1], End::end),
-            name, "tangency");
     const double size = solid.size_of_piece(i);
-    require(is_near(claims.tangency[2 * i], pieces[i].start, size, tolerance) &&
-                is_near(claims.tangency[2 * i + 1], pieces[i].end, size, tolerance),
-            name, "joints");
+    for (const End end : {End::start, End::end}) {
+      const std::size_t index = 2 * i + std::size_t(dupin::at(end));
+      const TangencyClaim& claim = claims.tangency[index];
+      const std::string its = at + place("tangency", index);
+      require(follows(pieces[i], claim, end), name, "tangency", its);
+      require(is_near(claim, end == End::end ? pieces[i].end : pieces[i].start, size, tolerance),
+              name, "joints", its);
+    }
     require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
                    : solid.has_kneecaps() || are_flips(pieces[i - 1].end, pieces[i].start),
-            name, "joints");
+            name, "joints", at + place("tangency", 2 * i));
   });
 }
 
@@ -81,25 +97,26 @@ bool mesh_follows(const Solid& solid, const MeshClaim& claim, bool is_hub) {
 }
 
 void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
-                 double tolerance, bool is_hub) {
+                 double tolerance, bool is_hub, const std::string& at) {
   if (solid.ball() != nullptr) {
-    require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular");
+    require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular", at);
   } else if (solid.pieces().empty()) {
-    require(is_silent(claims), name, "undecided");
+    require(is_silent(claims), name, "undecided", at);
   } else {
     require(
         claims.regular && claims.embedded && claims.tangency.size() == 2 * solid.pieces().size(),
-        name, "regular");
+        name, "regular", at);
     require(is_undecided(claims.regular->verdict) ? has_form(solid, *claims.regular)
                                                   : follows(solid, *claims.regular),
-            name, "regular");
+            name, "regular", at + place("regular"));
     require(is_undecided(claims.embedded->verdict)
                 ? has_form(*claims.embedded)
                 : follows(solid, *claims.embedded, *claims.regular),
-            name, "embedded");
-    verify_joints(solid, name, claims, tolerance);
+            name, "embedded", at + place("embedded"));
+    verify_joints(solid, name, claims, tolerance, at);
   }
-  require(!claims.mesh || mesh_follows(solid, *claims.mesh, is_hub), name, "mesh");
+  require(!claims.mesh || mesh_follows(solid, *claims.mesh, is_hub), name, "mesh",
+          at + place("mesh"));
 }
 
 // In rings that are the same, bitwise.
@@ -115,7 +132,7 @@ void verify_joined(const std::vector<Solid>& solids, const std::vector<Certified
       const auto& other = parts[i].joined.at(at(end));
       require(!other || solids[i].length() == 0 || solids[other->part].length() == 0 ||
                   are_joined(solids[i], end, solids[other->part], other->end),
-              parts[i].name, "joined");
+              parts[i].name, "joined", place("parts", i, "joined", at(end)));
     }
   });
 }
@@ -153,29 +170,32 @@ bool is_straight(const Solid& pipe) {
 // The quadrics are those of the pipes but for the difference, which is part of what is claimed, so
 // that what touches these between the pipes' ends touches the pipes.
 LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
-                     const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
+                     const CanalFillet& loop, const LoopClaims& claims, double tolerance,
+                     const std::string& at) {
   std::array<const Piece*, 2> pipes{};
   for (std::size_t side = 0; side < 2; ++side) {
     const Solid& pipe = solids[fillet.between.at(side)];
     require(!pipe.pieces().empty() && is_same(loop.quadrics.at(side), end_ring(pipe, End::end)) &&
                 !loop.quadrics.at(side).ellipse,
-            fillet.name, "between");
-    require(is_straight(pipe), fillet.name, "between");
+            fillet.name, "between", at);
+    require(is_straight(pipe), fillet.name, "between", at);
     pipes.at(side) = &pipe.pieces().front();
   }
   if (const auto& contact = claims.contact) {
     const auto [starts, difference] = rolled_pipes(loop.quadrics, pipes);
-    require(touches_between(loop, starts, tolerance), fillet.name, "between");
+    require(touches_between(loop, starts, tolerance), fillet.name, "between",
+            at + place("contact"));
     require(follows(loop, about_quadrics(*contact, difference)) && contact->offset <= tolerance,
-            fillet.name, "contact");
+            fillet.name, "contact", at + place("contact"));
   }
   auto cells = regular_cells(loop, claims.regular);
   require(cells || (is_undecided(claims.regular.verdict) && has_form(claims.regular)), fillet.name,
-          "regular");
+          "regular", at + place("regular"));
   require(is_undecided(claims.embedded.verdict) ? has_form(claims.embedded)
                                                 : cells && follows(loop, *cells, claims.embedded),
-          fillet.name, "embedded");
-  require(!claims.mesh || (cells && follows(*cells, *claims.mesh)), fillet.name, "mesh");
+          fillet.name, "embedded", at + place("embedded"));
+  require(!claims.mesh || (cells && follows(*cells, *claims.mesh)), fillet.name, "mesh",
+          at + place("mesh"));
   return {&loop, cells ? std::move(*cells) : std::vector<ArcCell>()};
 }
 
@@ -185,7 +205,7 @@ std::vector<Solid> verify_parts(const Certificate& certificate,
   std::vector<std::optional<Solid>> found(parts.size());
   verify_each(parts.size(), [&](std::size_t i) {
     verify_part(found[i].emplace(parts[i]), parts[i].name, certificate.claims[i],
-                certificate.tolerance, hubs.contains(std::uint32_t(i)));
+                certificate.tolerance, hubs.contains(std::uint32_t(i)), place("claims", i));
   });
   std::vector<Solid> solids;
   solids.reserve(found.size());
@@ -203,17 +223,19 @@ struct Loops {
 
 Loops verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
-  require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
+  require(certificate.fillet_claims.size() == fillets.size(), "", "fillets",
+          place("fillet_claims"));
   std::vector<std::vector<LoopArcs>> arcs(fillets.size());
   verify_each(fillets.size(), [&](std::size_t i) {
     const auto& claims = certificate.fillet_claims[i];
     const auto& loops = fillets[i].loops;
-    require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops");
+    require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops",
+            place("fillet_claims", i));
     admit(fillets[i]);
     arcs[i].clear();
     for (std::size_t k = 0; k < loops.size(); ++k) {
-      arcs[i].push_back(
-          verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance));
+      arcs[i].push_back(verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance,
+                                    place("fillet_claims", i, k)));
     }
   });
   Loops result;
@@ -225,13 +247,13 @@ Loops verify_fillets(const std::vector<Solid>& solids, const Certificate& certif
 }
 
 void verify_inputs(const Certificate& certificate) {
-  require(is_name(certificate.document), "", "document");
-  require(is_bound(certificate.tolerance), "", "tolerance");
-  require(is_bound(certificate.apart), "", "apart");
+  require(is_name(certificate.document), "", "document", place("document"));
+  require(is_bound(certificate.tolerance), "", "tolerance", place("tolerance"));
+  require(is_bound(certificate.apart), "", "apart", place("apart"));
   require(!certificate.axes ||
               (certificate.apart > 0 &&
                std::all_of(certificate.axes->begin(), certificate.axes->end(), is_point)),
-          "", "axes");
+          "", "axes", place("axes"));
   std::set<std::string> names;
   const auto says_back = [&](const EndIndex& own, const EndIndex& other) {
     if (other.part >= certificate.parts.size() || other.part == own.part) {
@@ -242,18 +264,21 @@ void verify_inputs(const Certificate& certificate) {
   };
   for (std::uint32_t i = 0; i < certificate.parts.size(); ++i) {
     const CertifiedPart& part = certificate.parts[i];
-    require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "",
-            "name");  // of which nothing is repeated: it would be printed
+    require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "", "name",
+            place("parts", i, "name"));  // of which nothing is repeated: it would be printed
     for (const End end : {End::start, End::end}) {
       const auto& joined = part.joined.at(at(end));
-      require(!joined || says_back({i, end}, *joined), part.name, "joined");
+      require(!joined || says_back({i, end}, *joined), part.name, "joined",
+              place("parts", i, "joined", at(end)));
     }
   }
-  for (const CertifiedFillet& fillet : certificate.fillets) {
-    require(is_name(fillet.name) && names.insert(fillet.name).second, "", "name");
+  for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
+    const CertifiedFillet& fillet = certificate.fillets[i];
+    require(is_name(fillet.name) && names.insert(fillet.name).second, "", "name",
+            place("fillets", i, "name"));
     require(std::max(fillet.between[0], fillet.between[1]) < certificate.parts.size() &&
                 fillet.between[0] != fillet.between[1],
-            fillet.name, "between");
+            fillet.name, "between", place("fillets", i, "between"));
   }
 }
 
@@ -264,7 +289,7 @@ std::set<std::uint32_t> hubs_of(const Certificate& certificate) {
   std::set<std::uint32_t> result;
   for (const CertifiedJunction& junction : certificate.junctions) {
     require(junction.hub < certificate.parts.size() && result.insert(junction.hub).second, "",
-            "junctions");
+            "junctions", place("junctions"));
   }
   return result;
 }
@@ -272,19 +297,20 @@ std::set<std::uint32_t> hubs_of(const Certificate& certificate) {
 HubPairs verify_junctions(const std::vector<Solid>& solids, const Certificate& certificate) {
   HubPairs result;
   std::set<std::uint32_t> all_arms;
-  for (const auto& [hub, arms] : certificate.junctions) {
-    const std::string& name = certificate.parts[hub].name;
+  for (std::size_t i = 0; i < certificate.junctions.size(); ++i) {
+    const auto& [hub, arms] = certificate.junctions[i];
+    const std::string its = place("junctions", i), &name = certificate.parts[hub].name;
     const Sphere* ball = solids[hub].ball();
-    require(ball != nullptr && arms.size() >= 2, name, "junction");
+    require(ball != nullptr && arms.size() >= 2, name, "junction", its);
     for (auto arm = arms.begin(); arm != arms.end(); ++arm) {
       require(*arm < hub && is_arm(solids[*arm], *ball) && all_arms.insert(*arm).second, name,
-              "arms");
-      require(!certificate.parts[*arm].joined.at(at(End::end)), name, "arms");
+              "arms", its);
+      require(!certificate.parts[*arm].joined.at(at(End::end)), name, "arms", its);
       require(std::all_of(arms.begin(), arm,
                           [&](std::uint32_t other) {
                             return caps_are_disjoint(solids[other], solids[*arm]);
                           }),
-              name, "caps");
+              name, "caps", its);
       result.insert({*arm, hub});
     }
   }
@@ -304,12 +330,40 @@ bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& c
                        claim);
 }
 
+// Lists of claims about pairs are in order. Where one is in the place of another, the other is
+// missing, or there and behind, or the one has no business in the list.
+[[noreturn]] void refuse_missing(const Certificate& certificate, const PartPair& pair,
+                                 const std::string& place) {
+  refuse("has no claim 'clearance of " + certificate.surface_name(pair[1]) + "'",
+         certificate.surface_name(pair[0]), place);
+}
+
+[[noreturn]] void refuse_order(const std::string& place) {
+  refuse("the claim 'clearance' is one too many, or out of order", "", place);
+}
+
+PartPair pair_of(const ClearanceClaim& claim) { return {claim.first, claim.second}; }
+
+// That the one at the index is about the pair.
+void require_pair(const Certificate& certificate, const std::string& list, std::size_t index,
+                  const PartPair& pair) {
+  const auto& claims =
+      list == "clearances" ? certificate.clearances : certificate.fillet_clearances;
+  if (index < claims.size() && pair_of(claims[index]) == pair) {
+    return;
+  }
+  if (std::ranges::find(claims, pair, pair_of) == claims.end()) {
+    refuse_missing(certificate, pair, index < claims.size() ? place(list, index) : place(list));
+  }
+  refuse_order(place(list, index));
+}
+
 void verify_clearance(const std::vector<Solid>& solids, const Certificate& certificate,
-                      const HubPairs& hub_pairs, const PartPair& pair,
-                      const ClearanceClaim* claim) {
-  require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
-              follows_or_is_silent(solids, certificate, hub_pairs, *claim),
-          certificate.parts[pair[0]].name, "clearance of " + certificate.parts[pair[1]].name);
+                      const HubPairs& hub_pairs, std::size_t index) {
+  const auto& claim = certificate.clearances[index];
+  require(follows_or_is_silent(solids, certificate, hub_pairs, claim),
+          certificate.parts[claim.first].name,
+          "clearance of " + certificate.parts[claim.second].name, place("clearances", index));
 }
 
 // Of two parts each, as many as there are claims at most, and the one after these.
@@ -328,10 +382,12 @@ void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certi
   const auto& claims = certificate.clearances;
   const auto pairs = first_pairs(std::uint32_t(solids.size()), claims.size());
   verify_each(pairs.size(), [&](std::size_t i) {
-    verify_clearance(solids, certificate, hub_pairs, pairs[i],
-                     i < claims.size() ? &claims[i] : nullptr);
+    require_pair(certificate, "clearances", i, pairs[i]);
+    verify_clearance(solids, certificate, hub_pairs, i);
   });
-  require(pairs.size() == claims.size(), "", "clearance");
+  if (claims.size() > pairs.size()) {
+    refuse_order(place("clearances", pairs.size()));
+  }
 }
 
 // Those that have a claim, in order and each once; none is missing that may be closer than is
@@ -340,18 +396,20 @@ void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& cert
                        const HubPairs& hub_pairs) {
   const auto near = pairs_nearer_than(certificate.apart, certificate.axes, solids);
   const auto& claims = certificate.clearances;
-  const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };
   verify_each(claims.size(), [&](std::size_t i) {
-    const PartPair before = i == 0 ? PartPair{0, 0} : pair_of(i - 1), pair = pair_of(i);
-    require(before < pair && pair[0] < pair[1] && pair[1] < solids.size(), "", "clearance");
-    verify_clearance(solids, certificate, hub_pairs, pair, &claims[i]);
+    const PartPair before = i == 0 ? PartPair{0, 0} : pair_of(claims[i - 1]),
+                   pair = pair_of(claims[i]);
+    if (!(before < pair && pair[0] < pair[1] && pair[1] < solids.size())) {
+      refuse_order(place("clearances", i));
+    }
+    verify_clearance(solids, certificate, hub_pairs, i);
   });
   auto missing = near.begin();
   for (std::size_t i = 0; i < claims.size(); ++i) {
-    missing += missing != near.end() && *missing == pair_of(i) ? 1 : 0;
+    missing += missing != near.end() && *missing == pair_of(claims[i]) ? 1 : 0;
   }
   if (missing != near.end()) {
-    verify_clearance(solids, certificate, hub_pairs, *missing, nullptr);
+    refuse_missing(certificate, *missing, place("clearances"));
   }
 }
 
@@ -366,19 +424,20 @@ bool is_pair(const PartPair& pair, const Loops& loops, std::size_t parts) {
          (first >= parts || !is_on(*loops.fillets[second - parts], first));
 }
 
-void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops, double tolerance,
-                             const PartPair& pair, const ClearanceClaim* claim) {
+void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops,
+                             const Certificate& certificate, std::size_t index) {
   const std::size_t parts = solids.size();
-  const std::uint32_t first = pair[0], second = pair[1];
+  const ClearanceClaim& claim = certificate.fillet_clearances[index];
   const auto holds = [&] {
-    const LoopArcs& arcs = loops.arcs[second - parts];
-    return first < parts ? follows(solids[first], arcs, *claim)
-                         : follows(loops.arcs[first - parts], arcs, *claim);
+    const LoopArcs& arcs = loops.arcs[claim.second - parts];
+    return claim.first < parts ? follows(solids[claim.first], arcs, claim)
+                               : follows(loops.arcs[claim.first - parts], arcs, claim);
   };
-  require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
-              (is_undecided(claim->verdict) ? has_form(*claim) : holds()) &&
-              claim->corner <= tolerance,
-          loops.fillets[place_of(pair, parts)[0]]->name, "clearance");
+  require((is_undecided(claim.verdict) ? has_form(claim) : holds()) &&
+              claim.corner <= certificate.tolerance,
+          certificate.surface_name(claim.first),
+          "clearance of " + certificate.surface_name(claim.second),
+          place("fillet_clearances", index));
 }
 
 void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loops,
@@ -401,10 +460,12 @@ void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loop
     }
   }
   verify_each(pairs.size(), [&](std::size_t i) {
-    verify_fillet_clearance(solids, loops, certificate.tolerance, pairs[i],
-                            i < claims.size() ? &claims[i] : nullptr);
+    require_pair(certificate, "fillet_clearances", i, pairs[i]);
+    verify_fillet_clearance(solids, loops, certificate, i);
   });
-  require(pairs.size() == claims.size(), "", "clearance");
+  if (claims.size() > pairs.size()) {
+    refuse_order(place("fillet_clearances", pairs.size()));
+  }
 }
 
 // As verify_near_pairs does.
@@ -414,20 +475,20 @@ void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loo
   auto near = loop_pairs_nearer_than(certificate.apart, certificate.axes, solids, loops.arcs);
   std::erase_if(near, [&](const PartPair& pair) { return !is_pair(pair, loops, parts); });
   const auto& claims = certificate.fillet_clearances;
-  const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };
   verify_each(claims.size(), [&](std::size_t i) {
-    const PartPair pair = pair_of(i);
-    require(is_pair(pair, loops, parts) &&
-                (i == 0 || place_of(pair_of(i - 1), parts) < place_of(pair, parts)),
-            "", "clearance");
-    verify_fillet_clearance(solids, loops, certificate.tolerance, pair, &claims[i]);
+    const PartPair pair = pair_of(claims[i]);
+    if (!is_pair(pair, loops, parts) ||
+        (i > 0 && !(place_of(pair_of(claims[i - 1]), parts) < place_of(pair, parts)))) {
+      refuse_order(place("fillet_clearances", i));
+    }
+    verify_fillet_clearance(solids, loops, certificate, i);
   });
   auto missing = near.begin();
   for (std::size_t i = 0; i < claims.size(); ++i) {
-    missing += missing != near.end() && *missing == pair_of(i) ? 1 : 0;
+    missing += missing != near.end() && *missing == pair_of(claims[i]) ? 1 : 0;
   }
   if (missing != near.end()) {
-    verify_fillet_clearance(solids, loops, certificate.tolerance, *missing, nullptr);
+    refuse_missing(certificate, *missing, place("fillet_clearances"));
   }
 }
 
@@ -441,7 +502,7 @@ void verify(const Certificate& certificate) {
   const auto& parts = certificate.parts;
   const verification::WorkLimit limit(verification::work_for(certificate));
   verification::verify_inputs(certificate);
-  verification::require(certificate.claims.size() == parts.size(), "", "parts");
+  verification::require(certificate.claims.size() == parts.size(), "", "parts", "/claims");
   const auto hubs = verification::hubs_of(certificate);
   const auto solids = verification::verify_parts(certificate, hubs);
   const auto hub_pairs = verification::verify_junctions(solids, certificate);

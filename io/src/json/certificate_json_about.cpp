@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dupin/io/assembly_json.h"
@@ -27,6 +29,30 @@ void require_digest(const Certificate& certificate, std::string_view document,
 }
 
 }  // namespace
+
+void verify(const Certificate& certificate, const std::string& source) {
+  constexpr std::string_view kUnnamed = "certificate";
+  try {
+    verify(certificate);
+  } catch (const Error& error) {
+    if (!error.where().starts_with(kUnnamed)) {
+      throw;
+    }
+    throw Error(error.code(), error.message(), error.part(),
+                source + error.where().substr(kUnnamed.size()));
+  }
+}
+
+JointFit widest_joint(const Certificate& certificate) {
+  JointFit widest;
+  for (const PartClaims& claims : certificate.claims) {
+    for (const TangencyClaim& claim : claims.tangency) {
+      widest.offset = std::max(widest.offset, claim.offset);
+      widest.angle = std::max(widest.angle, claim.axis_angle);
+    }
+  }
+  return widest;
+}
 
 void require_about(const Certificate& certificate, std::string_view document,
                    const std::string& source) {

@@ -300,8 +300,12 @@ std::string certificate_summary_json(const Certificate& certificate) {
          {"distance", claim.distance},
          {"corner", claim.corner}});
   }
+  const JointFit joints = widest_joint(certificate);
   return json::text({{"document", certificate.document},
                      {"unit", symbol(certificate.unit)},
+                     {"tolerance", certificate.tolerance},
+                     {"joint_offset", joints.offset},
+                     {"joint_angle", joints.angle},
                      {"findings", certificate.findings()},
                      {"parts", parts},
                      {"fillets", fillets},

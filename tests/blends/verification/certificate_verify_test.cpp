@@ -304,7 +304,8 @@ TEST_P(OneLie, is_named_with_its_part) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
     EXPECT_EQ(error.part(), GetParam().part);
-    EXPECT_THAT(error.message(), testing::HasSubstr("'" + GetParam().claim + "' does not follow"));
+    EXPECT_THAT(error.message(), testing::HasSubstr("'" + GetParam().claim + "'"));
+    EXPECT_THAT(error.where(), testing::StartsWith("certificate"));
   }
 }
 
@@ -407,7 +408,7 @@ INSTANTIATE_TEST_SUITE_P(
             [](Certificate& c) { c.clearances[1].distance = 3.5; }},
         Lie{"direction", "b", "clearance of ball",
             [](Certificate& c) { c.clearances[2].leaves[0].direction = Vec3(1, 0, 0); }},
-        Lie{"order_of_clearances", "a", "clearance of b",
+        Lie{"order_of_clearances", "", "clearance",
             [](Certificate& c) { std::swap(c.clearances[0], c.clearances[1]); }},
         Lie{"clearance_missing", "b", "clearance of ball",
             [](Certificate& c) { c.clearances.pop_back(); }},
@@ -563,6 +564,33 @@ TEST(VerifyCertificate, of_fillets_is_about_the_quadrics_of_its_parts) {
   itself = honest;
   itself.fillet_claims[0][0].contact = {0.06, 0.06};
   EXPECT_THROW(verify(itself), Error) << "further than the tolerance";
+}
+
+// What is wrong, and where.
+TEST(VerifyCertificate, tells_missing_claims_from_others) {
+  const auto refusal = [](const std::function<void(Certificate&)>& tell) {
+    Certificate c = certificate();
+    tell(c);
+    try {
+      verify(c);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("believed");
+  };
+  EXPECT_EQ(refusal([](Certificate& c) { c.clearances[1].distance = 9; }),
+            "certificate#/clearances/1: 'a': the claim 'clearance of ball' does not follow");
+  EXPECT_EQ(refusal([](Certificate& c) { c.clearances.pop_back(); }),
+            "certificate#/clearances: 'b': has no claim 'clearance of ball'");
+  EXPECT_EQ(refusal([](Certificate& c) { c.clearances.erase(c.clearances.begin() + 1); }),
+            "certificate#/clearances/1: 'a': has no claim 'clearance of ball'");
+  const std::string one_too_many = "the claim 'clearance' is one too many, or out of order";
+  EXPECT_EQ(refusal([](Certificate& c) { c.clearances.push_back(c.clearances.back()); }),
+            "certificate#/clearances/3: " + one_too_many);
+  EXPECT_EQ(refusal([](Certificate& c) { std::swap(c.clearances[0], c.clearances[1]); }),
+            "certificate#/clearances/0: " + one_too_many);
+  EXPECT_EQ(refusal([](Certificate& c) { c.claims[1].tangency[1].axis_angle = 1; }),
+            "certificate#/claims/1/tangency/1: 'b': the claim 'joints' does not follow");
 }
 
 }  // namespace

@@ -86,6 +86,19 @@ TEST(ForgedCertificates, have_no_key_that_goes_unread) {
   }
 }
 
+TEST(ForgedCertificates, of_a_unit_that_is_none_have_its_place_told) {
+  std::mt19937_64 random(15);
+  Json forged = Json::parse(certificate_json(test::truth(random).honest));
+  forged["units"] = "furlong";
+  try {
+    static_cast<void>(parse_certificate(resealed(forged), "forged.json"));
+    ADD_FAILURE() << "believed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::parse_failed);
+    EXPECT_THAT(error.what(), testing::StartsWith("forged.json#/units: the unit must be mm"));
+  }
+}
+
 // Of two shapes, or two ways of a ball, one would be looked at and the other be believed.
 TEST(ForgedCertificates, have_no_second_shape) {
   std::mt19937_64 random(15);
