@@ -91,8 +91,8 @@ KNOWN = {
     ("pair_claims.cpp", "if (!room || !(room->least > 0))", " >= "): ROUNDED_DOWN,
     ("pair_claims.cpp", "Mpfi::pi()).upper < 0;", " <= "): IRRATIONAL,
     ("pair_claims.cpp", "Mpfi::pi()).upper < 0;", ".lower"): IRRATIONAL,
-    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0 &&", " <= "): IRRATIONAL,
-    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0 &&", ".lower"): IRRATIONAL,
+    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0", " <= "): IRRATIONAL,
+    ("pair_claims.cpp", "Mpfi::pi() / 2).upper < 0", ".lower"): IRRATIONAL,
     ("pair_claims.cpp", "return range.lower > 0 &&", " >= "): REGULAR,
     ("pair_claims.cpp", "return range.lower > 0 &&", ".upper"): REGULAR,
     ("pair_claims.cpp", "* range.upper).upper <= range.lower", " < "): SLACK,
@@ -101,7 +101,7 @@ KNOWN = {
     ("pair_claims.cpp", "radius = std::max(radius.upper, disc->radius[0].upper);", ".lower"):
         "the largest radius so far is one number; tests notice if the other is the lower",
     ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
-    ("pair_claims.cpp", "return phi.upper < 1 &&", ".lower"): ROUNDING,  # phi is one number by then
+    ("pair_claims.cpp", "phi.upper < 1", ".lower"): ROUNDING,  # phi is one number by then
     ("pair_claims.cpp", ".lower > 0;", ".upper"): ROUNDING,  # all that it is made of are single numbers
     ("pair_claims.cpp", ".lower > 0;", " >= "): SLACK,
     ("pair_claims.cpp", "* range.upper).upper <= range.lower", ".lower"): ROUNDING,
@@ -114,7 +114,7 @@ KNOWN = {
     ("pair_claims.cpp", "last->tangents.back()).upper < 0", " <= "): SLACK,
     ("pair_claims.cpp", "last->tangents.back()).upper < 0", ".lower"): ROUNDING,
     ("pair_claims.cpp", "const Interval cosine =", ".upper"): ROUNDING,
-    ("pair_claims.cpp", "return phi.upper < 1 &&", " <= "): SLACK,
+    ("pair_claims.cpp", "phi.upper < 1", " <= "): SLACK,
     ("pair_claims.cpp", "norm(box - center).upper < discs->radius.lower", " <= "):
         "a point of the border is in the disc too",
     ("pair_claims.cpp", "overlap->first.to < claim.overlap->second.from", " <= "): ONE_SIDE,

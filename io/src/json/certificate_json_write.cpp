@@ -311,7 +311,6 @@ std::string certificate_summary_json(const Certificate& certificate) {
                      {"fillets", fillets},
                      {"apart", certificate.apart},
                      {"clearances", clearances},
-
                      {"fillet_clearances", fillet_clearances}});
 }
 
