@@ -151,11 +151,11 @@ Triangle read_triangle(text::TextScanner& scanner, std::size_t points,
   return triangle;
 }
 
-/// Reads the lines up to `end`, the first of them of this number, if each is that of one point or
-/// of one triangle. May throw if not.
-bool read_lines(text::TextScanner& scanner, std::size_t end, std::size_t number, TriMesh& mesh) {
+/// Reads the lines of the piece, if each is that of one point or of one triangle. May throw if not.
+/// Of other lines than were counted, as a CR ends one, none is taken for one of another piece.
+bool read_lines(text::TextScanner& scanner, const Lines& lines, std::size_t piece, TriMesh& mesh) {
   std::vector<Triangle> room;
-  for (; scanner.position() < end; ++number) {
+  for (std::size_t number = lines.numbers[piece]; number < lines.numbers[piece + 1]; ++number) {
     if (number < mesh.points.size()) {
       mesh.points[number] = scanner.vector("a coordinate");
       scanner.end_line("the end of the line behind a vertex");
@@ -164,7 +164,7 @@ bool read_lines(text::TextScanner& scanner, std::size_t end, std::size_t number,
           read_triangle(scanner, mesh.points.size(), room);
     }
   }
-  return scanner.position() == end;
+  return scanner.position() == lines.begins[piece + 1];
 }
 
 /// Reads points and triangles by pieces, in parallel, if each has a line of its own, as in most
@@ -189,7 +189,7 @@ bool read_pieces(std::string_view bytes, std::size_t begin, const Counts& counts
     text::TextScanner scanner(bytes, {}, '#');
     scanner.move_to(lines.begins[i]);
     try {
-      if (!read_lines(scanner, lines.begins[i + 1], lines.numbers[i], mesh)) {
+      if (!read_lines(scanner, lines, i, mesh)) {
         is_regular = false;
       }
     } catch (const std::exception&) {  // reading line by line says what

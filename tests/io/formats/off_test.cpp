@@ -190,6 +190,12 @@ TEST(Off, tells_the_line_of_a_fault_in_a_large_file) {
       EXPECT_EQ(error.where(), "x.off:" + std::to_string(at + 1)) << line << ": " << error.what();
     }
   }
+  // One line more than lines end in LF, of either kind.
+  for (const std::size_t at : {vertex, face}) {
+    std::vector<std::string> joined_by_cr = lines;
+    joined_by_cr[at] += "\r" + lines[at];
+    EXPECT_THROW((void)read_off(joined(joined_by_cr), "x.off"), Error);
+  }
   std::vector<std::string> fewer = lines, more = lines;
   fewer.pop_back();
   EXPECT_THROW((void)read_off(joined(fewer), "x.off"), Error);
