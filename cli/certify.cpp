@@ -264,6 +264,7 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
                                                .most_triangles = arguments.most_triangles,
                                                .progress = line->callback()});
   line.reset();
+  certificate.document = one_line(certificate.document);  // a name, which has no controls
   certificate.document_sha256 = sha256(input.bytes);
   write_text(arguments.output, certificate_json(certificate));
   print_summary(report_stream(arguments.output), certificate, common);
@@ -282,7 +283,7 @@ ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& commo
   if (!arguments.document.empty()) {
     const Input about = read_input(arguments.document);
     require_about(certificate, about.bytes, read_document(about, arguments.source).assembly);
-    certificate.document = about.name;
+    certificate.document = one_line(about.name);
   }
   {
     ProgressLine line(common.quiet);

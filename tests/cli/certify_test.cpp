@@ -8,6 +8,7 @@
 
 #include "cli/tool.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/io/atomic_file.h"
 #include "dupin/io/certificate_json.h"
 
 namespace dupin::test {
@@ -35,6 +36,16 @@ TEST_F(Certify, proves_an_example_and_verify_agrees) {
 }
 
 // Of which every smooth node is proved, and that the certificate is about the file.
+// Whose certificate says it without control characters, which verify refuses in names.
+TEST_F(Certify, proves_a_document_of_any_name) {
+  for (const char* const name : {"a\tb.json", "a\u202eb.json"}) {
+    folder_.write(name, read_file(example("reducer.json")));
+    EXPECT_EQ(dupin({"certify", name, "-o", "c.json"}).exit_code, 0);
+    EXPECT_EQ(dupin({"verify", "c.json"}).exit_code, 0);
+    EXPECT_EQ(dupin({"verify", "c.json", name}).exit_code, 0);
+  }
+}
+
 TEST_F(Certify, proves_a_graph_that_is_read_alike) {
   folder_.write("y.graph", "n 0 0 0\nn 20 0 0\nn 32 16 3\nn 32 -16 0\nc 0 1\nc 1 2\nc 1 3\n");
   const auto proved = json({"certify", "y.graph", "--radius", "1", "-o", "y.cert.json"}, 0);

@@ -38,6 +38,10 @@ TEST(ReportText, values_are_one_line_whatever_is_in_them) {
   std::ostringstream out;
   print_row(out, "label", "a\tb\nc\x1b[31m\x7f \xc3\xa9");
   EXPECT_EQ(out.str(), "label                a\\x09b\\x0ac\\x1b[31m\\x7f \xc3\xa9\n");
+  std::ostringstream more;
+  print_row(more, "label", "\xc2\x85\xc2\xa0\u202e\u202f\u2069 \xe2");
+  EXPECT_EQ(more.str(),
+            "label                \\xc2\\x85\xc2\xa0\\xe2\\x80\\xae\u202f\\xe2\\x81\\xa9 \xe2\n");
   OutputReport report;
   report.contacts = {{Contact::Kind::vertex, Vec3::Zero(), Vec3::Zero(), {"a\nb"}}};
   std::ostringstream output;

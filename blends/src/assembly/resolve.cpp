@@ -15,15 +15,10 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "numbers/control_character.h"
 
 namespace dupin {
 namespace {
-
-/// Text that all formats keep as it is, and that nobody who reads it can mistake for another.
-bool is_one_line(const std::string& text) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  return text.front() != ' ' && text.back() != ' ' && std::ranges::none_of(text, is_control);
-}
 
 using assembly::bounds_and;
 using assembly::is_within_bounds;
@@ -158,6 +153,12 @@ class Resolver {
   }
 
   void check_names() {
+    for (const auto& [name, other] : assembly_.patches) {
+      if (numbers::has_controls(other)) {
+        throw Error(Errc::invalid_argument, "a patch's name must have no control characters", {},
+                    document_place(assembly_, "/patches/" + name));
+      }
+    }
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       const std::string& name = assembly_.parts[i].name;
       const auto fault = [&](const std::string& message) {
@@ -166,12 +167,11 @@ class Resolver {
       if (name.empty() || name.find('.') != std::string::npos) {
         throw fault("a part's name must not be empty and not contain a dot");
       }
-      if (!is_one_line(name)) {
+      if (name.front() == ' ' || name.back() == ' ' || numbers::has_controls(name)) {
         throw fault(
             "a part's name must be one line, without control characters or blanks around it");
       }
-      const auto [entry, is_new] = index_.try_emplace(name, i);
-      if (!is_new) {
+      if (const auto [entry, is_new] = index_.try_emplace(name, i); !is_new) {
         const std::string& pointer = assembly_.parts[entry->second].pointer;
         throw fault("the name is already taken by " +
                     (pointer.empty() ? "/parts/" + std::to_string(entry->second) : pointer));

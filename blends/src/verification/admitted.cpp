@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
+#include "numbers/control_character.h"
 #include "verification/piece.h"
 
 namespace dupin::verification {
@@ -224,9 +225,6 @@ bool is_point(const Vec3& point) {
 
 bool is_bound(double number) { return number >= 0 && number <= Limits::kNumber; }
 
-bool is_name(const std::string& text) {
-  return std::none_of(text.begin(), text.end(),
-                      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-}
+bool is_name(const std::string& text) { return !numbers::has_controls(text); }
 
 }  // namespace dupin::verification

@@ -91,8 +91,10 @@ std::string printable(std::string_view text) {
     const auto point = Utf8::decode(at, text.data() + text.size());
     const bool is_point = boost::locale::utf::is_valid_codepoint(point);
     at = is_point ? at : from + 1;
+    // Or breaks lines, or turns the direction of the text behind it.
     const bool is_control =
-        (point < 0x20 && point != '\n' && point != '\t') || (point >= 0x7f && point < 0xa0);
+        (point < 0x20 && point != '\n' && point != '\t') || (point >= 0x7f && point < 0xa0) ||
+        (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069);
     if (is_point && !is_control) {
       result.append(from, at);
       continue;

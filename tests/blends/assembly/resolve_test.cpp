@@ -215,6 +215,19 @@ TEST(Resolve, refuses_numbers_that_are_not) {
   }
 }
 
+TEST(Resolve, refuses_control_characters_in_names_of_patches) {
+  Assembly assembly;
+  assembly.source = "d";
+  assembly.parts = {{"a", PipeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), 1}}};
+  assembly.patches = {{"a", "in\u2028let"}};
+  try {
+    (void)resolve(assembly);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "d#/patches/a");
+  }
+}
+
 struct Refusal {
   std::vector<Part> parts;
   std::string part, where, message;
@@ -235,6 +248,8 @@ TEST(Resolve, refuses_parts_that_do_not_hang_together) {
       {{{"a\tb", free}}, "a\tb", "d#/parts/0/name", kOneLine},
       {{{std::string("a\0", 2), free}}, std::string("a\0", 2), "d#/parts/0/name", kOneLine},
       {{{"a\x7F", free}}, "a\x7F", "d#/parts/0/name", kOneLine},
+      {{{"a\u202E", free}}, "a\u202E", "d#/parts/0/name", kOneLine},
+      {{{"a\xC2\x9B", free}}, "a\xC2\x9B", "d#/parts/0/name", kOneLine},
       {{{" a", free}}, " a", "d#/parts/0/name", kOneLine},
       {{{"a ", free}}, "a ", "d#/parts/0/name", kOneLine},
       {{{"a", after("b")}}, "a", "d#/parts/0/pipe/from", "there is no part named 'b'"},

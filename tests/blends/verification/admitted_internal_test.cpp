@@ -192,8 +192,12 @@ TEST(Bound, is_not_negative_and_not_too_large) {
 }
 
 TEST(Name, takes_one_line) {
-  EXPECT_TRUE(is_name("a pipe, or zwölf"));
-  for (const char* bad : {"a\nb", "\t", "\x1b[2J", "\x7f"}) {
+  for (const char* good : {"a pipe, or zwölf", "\u00a0\u2027\u202f\u2065\u206a", "\u0142"}) {
+    EXPECT_TRUE(is_name(good)) << good;
+  }
+  for (const char* bad :
+       {"a\nb", "\t", "\x1b[2J", "\x7f", "\xc2\x80", "a\xc2\x85", "\xc2\x9b[2J", "\xc2\x9f",
+        "\u2028", "a\u2029b", "\u202a", "\u202e", "\u2066", "\u2069"}) {
     EXPECT_FALSE(is_name(bad));
   }
 }

@@ -40,15 +40,16 @@ TEST(Error, has_no_control_characters) {
             "a.json#/parts/0\\x7f: '\\x1b[31mred': the name 'x\\x00y' must be short");
 }
 
-// Broken, overlong, half of a pair, and too large; and controls of two bytes.
+// Broken, overlong, half of a pair, and too large; and controls of two and three bytes.
 TEST(Error, is_utf8) {
   const Error error(
       Errc::parse_failed,
       "read \xc8l, \xc0\xaf, \xed\xa0\x80, \xf5\x80\x80\x80 and \xc2\x9b, not \xc3\xa9, "
-      "\u2026 or \U0001F600\xe2\x82");
-  EXPECT_EQ(std::string(error.what()),
-            "read \\xc8l, \\xc0\\xaf, \\xed\\xa0\\x80, \\xf5\\x80\\x80\\x80 and \\xc2\\x9b, not "
-            "\xc3\xa9, \u2026 or \U0001F600\\xe2\\x82");
+      "\u2026 or \U0001F600\xe2\x82, \u2028\u202e\u2069");
+  EXPECT_EQ(
+      std::string(error.what()),
+      "read \\xc8l, \\xc0\\xaf, \\xed\\xa0\\x80, \\xf5\\x80\\x80\\x80 and \\xc2\\x9b, not "
+      "\xc3\xa9, \u2026 or \U0001F600\\xe2\\x82, \\xe2\\x80\\xa8\\xe2\\x80\\xae\\xe2\\x81\\xa9");
 }
 
 }  // namespace
