@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "dupin/kernel/contacts.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
@@ -21,6 +23,14 @@ double largest_coordinate(const Solid& solid, const Vec3& origin) {
     largest = std::max(largest, (point - origin).cwiseAbs().maxCoeff());
   }
   return largest;
+}
+
+double diagonal(const Solid& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : solid.nearest_points()) {
+    box.extend(point);
+  }
+  return box.diagonal().norm();
 }
 
 /// separate() asks for more than 2^-32 of the largest coordinate.
@@ -49,7 +59,9 @@ std::optional<RoundedApart> separated_and_rounded(const Solid& solid, Coordinate
   const exact::FloatLattice numbers(coordinates, options.output_grid);
   const double spacing = std::max(numbers.step(largest), least_distance(own));
   const bool is_near = spacing >= least_distance(largest_coordinate(solid, Vec3::Zero()));
-  for (double length = spacing; length <= kMost * spacing; length *= 2) {
+  // What is larger than the solid leaves nothing of it, and takes long to say so.
+  const double most = std::min(kMost * spacing, diagonal(solid));
+  for (double length = spacing; length <= most; length *= 2) {
     try {
       const Solid apart =
           is_near ? separate(solid, length).solid : separated_about(origin, solid, length);
