@@ -177,9 +177,9 @@ class ShellFinder {
   }
 
   // In rounds, so that the order of edges does not matter: what closes itself, or what only one
-  // face can close, else what the only other one closes that ends along the same edges. That comes
-  // last: of two bodies that overlap, one inside out, what is left without their common part does
-  // so.
+  // face can close, else what the only other one closes that ends along the same edges, else by
+  // copies of one lid. The others come after the first: of two bodies that overlap, one inside out,
+  // what is left without their common part ends so.
   void join_without_choice() {
     constexpr int kMostRounds = 64;  // each looks at all edges
     std::vector<Pair> pairs;
@@ -194,6 +194,9 @@ class ShellFinder {
       }
       if (pairs.empty()) {
         find_mates(pairs);
+      }
+      if (pairs.empty() && !open_.empty()) {
+        find_own_lids(pairs);
       }
       if (pairs.empty() && !open_.empty()) {
         find_lids(pairs);
@@ -228,6 +231,10 @@ class ShellFinder {
     bool is_turned;
     std::uint32_t half_edge;  // at the first of them
   };
+
+  [[nodiscard]] std::uint32_t place(const Boundary& end) const {
+    return place_of_set_[end.half_edge / 3];
+  }
 
   [[nodiscard]] std::vector<Boundary> find_boundaries() {
     std::vector<std::tuple<std::uint32_t, std::size_t, std::uint32_t>> ends;  // set, edge
@@ -273,6 +280,46 @@ class ShellFinder {
     }
   }
 
+  // Of bodies that end along the same edges as copies of one lid: to each a copy, if there are
+  // enough. By angles one would close another that is inside out, as what it does not have of it.
+  void find_own_lids(std::vector<Pair>& pairs) {
+    place_sets();
+    std::vector<Boundary> all = find_boundaries();
+    std::ranges::sort(all, {},
+                      [this](const Boundary& end) { return std::tuple(end.edges, place(end)); });
+    for (auto begin = all.begin(); begin != all.end();) {
+      const auto end = std::find_if(
+          begin, all.end(), [&](const Boundary& other) { return other.edges != begin->edges; });
+      give_lids({begin, end}, pairs);
+      begin = end;
+    }
+  }
+
+  // All of one boundary, copies one after the other: the lid is what there are most of.
+  void give_lids(std::span<const Boundary> ends, std::vector<Pair>& pairs) const {
+    std::span<const Boundary> most;
+    for (std::size_t begin = 0, i = 1; i <= ends.size(); ++i) {
+      if (i == ends.size() || place(ends[i]) != place(ends[begin])) {
+        const auto copies = ends.subspan(begin, i - begin);
+        most = copies.size() > most.size() ? copies : most;
+        begin = i;
+      }
+    }
+    std::array<HalfEdges, 2> lids, bodies;  // those that are not turned, and those that are
+    for (const Boundary& end : ends) {
+      const bool is_lid = most.size() > 1 && place(end) == place(most.front());
+      (is_lid ? lids : bodies)[end.is_turned ? 1 : 0].push_back(end.half_edge);
+    }
+    if (bodies[0].size() > lids[1].size() || bodies[1].size() > lids[0].size()) {
+      return;
+    }
+    for (const std::size_t way : {0U, 1U}) {
+      for (std::size_t i = 0; i < bodies[way].size(); ++i) {
+        pairs.emplace_back(bodies[way][i], lids[1 - way][i]);
+      }
+    }
+  }
+
   void find_forced(OpenEdge& open, std::vector<Pair>& pairs) const {
     HalfEdges& all = open.half_edges;
     constexpr std::size_t kMany = 64;
@@ -303,9 +350,7 @@ class ShellFinder {
   void find_lids(std::vector<Pair>& pairs) {
     place_sets();
     std::vector<Boundary> all = find_boundaries();
-    const auto key = [this](const Boundary& lid) {
-      return std::tuple(place_of_set_[lid.half_edge / 3], lid.is_turned);
-    };
+    const auto key = [this](const Boundary& lid) { return std::tuple(place(lid), lid.is_turned); };
     std::map<std::uint32_t, const Boundary*> of_set;
     std::map<std::size_t, const OpenEdge*> at;
     std::ranges::stable_sort(all, {}, key);
@@ -338,7 +383,7 @@ class ShellFinder {
     return is_up(h) != is_up(lid.half_edge) &&
            std::ranges::all_of(open.half_edges, [&](std::uint32_t k) {
              return is_up(k) == is_up(h) || face(k) == face(h) ||
-                    place_of_set_[k / 3] == place_of_set_[lid.half_edge / 3];
+                    place_of_set_[k / 3] == place(lid);
            });
   }
 

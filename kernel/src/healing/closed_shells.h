@@ -30,7 +30,8 @@ enum class Wedges : std::uint8_t { material, voids };
 /// such, one by one. What then has as many faces one way as the other at an edge closes itself
 /// there. Of others at the edge, copies of one face do not close each other unless they have to,
 /// which may leave only one face that can; else what ends along the same edges as only one other
-/// closes it; else what can be closed there by copies of the same faces only is closed by one of
+/// closes it; else of bodies that end along the same edges as copies of one set of faces each has
+/// one of these; else what can be closed there by copies of the same faces only is closed by one of
 /// these; and what that leaves open is paired by the exact angles around the edge, level by
 /// level of winding: above the middle level as the surfaces of the wedges that are wound around
 /// more often, below it of those that are less often, and at it likewise by the sign of the volume

@@ -162,7 +162,7 @@ void close(const PolygonSoup& soup, std::vector<std::uint32_t> faces, bool pairs
   }
   for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
     const auto copies = distinct.copies_of(i);
-    const int spare = pairs && vanishes[parts.of_face[i]] != 0
+    const int spare = pairs && (vanishes[parts.of_face[i]] != 0 || copies.size() > 2)
                           ? (static_cast<int>(copies.size()) - std::abs(counts[i])) / 2
                           : 0;
     const int front = std::max(counts[i], 0) + spare, back = std::max(-counts[i], 0) + spare;

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/solid.h"
 #include "support/shapes.h"
@@ -91,6 +93,58 @@ TEST(TiedCopies, of_bodies_with_a_face_in_common_one_each_is_left_whichever_face
       }
     }
     EXPECT_EQ(repaired_volume(joined(meshes)), volume);
+  }
+}
+
+// Bodies over one base that cross beside it: of each the base has a copy, whichever way that is.
+std::vector<TriMesh> bodies_over_one_base(std::mt19937& random, std::size_t count) {
+  const auto coordinate = [&] { return static_cast<double>(random() % 8) - 2; };
+  std::vector<TriMesh> bodies;
+  while (bodies.size() < count) {
+    TriMesh body = tetrahedron({0, 0, 0}, 4);
+    body.points[3] = Vec3(coordinate(), coordinate(), coordinate());
+    if (body.points[3].z() != 0) {
+      bodies.push_back(body.points[3].z() > 0 ? body : test::reversed(body));
+    }
+  }
+  return bodies;
+}
+
+mpq_class united_volume(std::span<const TriMesh> meshes) {
+  std::vector<Solid> solids;
+  for (const TriMesh& mesh : meshes) {
+    solids.push_back(Solid::from(mesh));
+  }
+  return unite(solids).exact_volume();
+}
+
+TEST(TiedCopies, of_bodies_over_one_base_none_is_lost_whichever_faces_are_turned) {
+  std::mt19937 random(34);
+  for (int round = 0; round < 1000; ++round) {
+    SCOPED_TRACE(round);
+    const auto bodies = bodies_over_one_base(random, 2 + static_cast<std::size_t>(round % 4));
+    std::vector<TriMesh> meshes;
+    for (const TriMesh& body : bodies) {
+      meshes.push_back(turned(body, static_cast<std::uint32_t>(random() & random())));
+    }
+    EXPECT_EQ(repaired_volume(joined(meshes)), united_volume(bodies));
+  }
+}
+
+// What is inside another as a whole, and inside out, is a cavity of it.
+TEST(TiedCopies, of_bodies_over_one_base_none_is_lost_whichever_are_inside_out) {
+  std::mt19937 random(35);
+  for (int round = 0; round < 1000; ++round) {
+    SCOPED_TRACE(round);
+    const auto bodies = bodies_over_one_base(random, 2 + static_cast<std::size_t>(round % 4));
+    std::vector<TriMesh> meshes;
+    for (const TriMesh& body : bodies) {
+      meshes.push_back(random() % 2 == 0 ? body : test::reversed(body));
+    }
+    const Repaired repaired = repair(joined(meshes));
+    if (repaired.report.cavities == 0) {
+      EXPECT_EQ(repaired.solid.exact_volume(), united_volume(bodies));
+    }
   }
 }
 
