@@ -281,7 +281,7 @@ class ShellFinder {
   }
 
   // Of bodies that end along the same edges as copies of one lid: to each a copy, if there are
-  // enough. By angles one would close another that is inside out, as what it does not have of it.
+  // as many. By angles one would close another that is inside out, as what it does not have of it.
   void find_own_lids(std::vector<Pair>& pairs) {
     place_sets();
     std::vector<Boundary> all = find_boundaries();
@@ -305,12 +305,15 @@ class ShellFinder {
         begin = i;
       }
     }
+    if (2 * most.size() != ends.size()) {
+      return;
+    }
     std::array<HalfEdges, 2> lids, bodies;  // those that are not turned, and those that are
     for (const Boundary& end : ends) {
-      const bool is_lid = most.size() > 1 && place(end) == place(most.front());
-      (is_lid ? lids : bodies)[end.is_turned ? 1 : 0].push_back(end.half_edge);
+      (place(end) == place(most.front()) ? lids : bodies)[end.is_turned ? 1 : 0].push_back(
+          end.half_edge);
     }
-    if (bodies[0].size() > lids[1].size() || bodies[1].size() > lids[0].size()) {
+    if (bodies[0].size() != lids[1].size()) {
       return;
     }
     for (const std::size_t way : {0U, 1U}) {
