@@ -22,6 +22,7 @@
 #include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
 #include "gap_text.h"
+#include "idle_options.h"
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
@@ -155,6 +156,14 @@ MeshHeader header_of(const Document& document) {
   return header;
 }
 
+// Meshes for solvers are made of solids that do not touch themselves: what --contacts chooses is
+// done before, not when they are rounded.
+Solid settled_for_solvers(const Solid& solid, const ContactChoice& contacts, OutputReport& report) {
+  const Solid settled = settle(solid, contacts, report);
+  require_something_left(report, settled.triangle_count());
+  return settled;
+}
+
 // The solid as a file, as the arguments say.
 void write_built(const Built& built, const Document& document, const BuildOptions& options,
                  const BuildArguments& arguments, BuildReport& report, TriMesh* written) {
@@ -174,14 +183,18 @@ void write_built(const Built& built, const Document& document, const BuildOption
   RemeshOptions solver = solver_options(
       arguments.solver, 2 * options.tolerance.value_or(document.assembly.tolerance), unit);
   solver.progress = options.progress;
+  const ContactChoice contacts = contact_choice(arguments.contacts, unit);
+  OutputReport before;
   if (is_volume(arguments.output)) {
-    report.output = write_volume(built.solid, solver, arguments.output, header);
+    report.output = write_volume(settled_for_solvers(built.solid, contacts, before), solver,
+                                 arguments.output, header);
+    report.output.settled = std::move(before.settled);
     return;
   }
   std::optional<SolverMeshReport> remeshed;
   Solid solid = built.solid;
   if (arguments.quality == kForSolvers) {
-    Remeshed made = remesh(solid, solver);
+    Remeshed made = remesh(settled_for_solvers(solid, contacts, before), solver);
     solid = made.solid;
     remeshed = solver_report(std::move(made.report), solver);
   }
@@ -191,12 +204,14 @@ void write_built(const Built& built, const Document& document, const BuildOption
   };
   const Destination to = destination(arguments.output);
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
-  const ContactChoice contacts = contact_choice(arguments.contacts, unit);
   report.output = built.districts.size() > 1 && !remeshed
                       ? write_districts(built.districts, built.boxes, to, rounding, header,
                                         contacts, written, normals)
                       : write_solid(solid, to, rounding, header, contacts, {}, written, normals);
   report.output.solver_mesh = std::move(remeshed);
+  if (before.settled) {
+    add_settled(*std::move(before.settled), report.output);
+  }
 }
 
 }  // namespace
@@ -205,6 +220,7 @@ void check_destination(const BuildArguments& arguments) {
   if (!arguments.page.empty()) {
     require_page_file(arguments.page, arguments.output.path);
   }
+  refuse_idle_options(arguments);
   if (is_step(arguments.output)) {
     (void)exchange_solids(arguments.output, arguments.solids);
     if (!arguments.page.empty()) {
@@ -362,7 +378,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
 
 struct BatchArguments {
   std::string folder;
-  std::size_t jobs = 1;
+  std::optional<std::size_t> jobs;
 };
 
 ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& arguments,
@@ -375,7 +391,10 @@ ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& argum
       throw UsageError("--out-dir is not for mpirun, which shares one document among processes");
     }
     return run_batch(command, batch_items(arguments.files, batch.folder, arguments.output.format),
-                     batch.folder, batch.jobs, common);
+                     batch.folder, batch.jobs.value_or(1), common);
+  }
+  if (batch.jobs) {
+    throw UsageError("--jobs is for many documents; give --out-dir, or leave it out");
   }
   if (arguments.files.size() > 1) {
     throw UsageError("several documents need --out-dir");

@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "exit_code.h"
+#include "idle_options.h"
 #include "input.h"
 #include "length.h"
 #include "mesh_to_mesh.h"
@@ -45,6 +46,7 @@ ExitCode run_remesh(const RemeshArguments& arguments, const CommonOptions& commo
   Destination to{output_path(output.path)};
   if (fills) {
     check_volume_output(output);
+    refuse_idle_of_volume(arguments.files.rounding, output);
   } else {
     to = destination(output);
   }

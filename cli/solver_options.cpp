@@ -17,6 +17,7 @@ namespace dupin::cli {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kUsualAngle = 25, kUsualSharp = 40;  // in degrees
 
 const VolumeFormat* volume_format(const OutputArguments& arguments) {
   return find_volume_format(arguments.format.empty() ? lower_extension(arguments.path)
@@ -50,8 +51,8 @@ RemeshOptions solver_options(const SolverArguments& arguments, double distance,
   RemeshOptions options;
   options.distance = mesh_length(arguments.distance, distance, unit);
   options.largest_edge = mesh_length(arguments.size, 0, unit);
-  options.smallest_angle = arguments.angle * kDegree;
-  options.feature_angle = arguments.sharp * kDegree;
+  options.smallest_angle = arguments.angle.value_or(kUsualAngle) * kDegree;
+  options.feature_angle = arguments.sharp.value_or(kUsualSharp) * kDegree;
   return options;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "commands.h"
@@ -18,7 +19,7 @@ namespace dupin::cli {
 /// --size, --distance, --angle and --sharp as typed; empty when not given.
 struct SolverArguments {
   std::string size, distance;
-  double angle = 25, sharp = 40;  // in degrees
+  std::optional<double> angle, sharp;  // in degrees
 };
 
 /// All but --distance.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/kernel/solver_mesh.h"
 #include "number_range.h"
 #include "support/shapes.h"
 
@@ -237,6 +238,89 @@ TEST_F(ArgumentChecks, numbers_are_refused_where_they_are_none) {
       const ProcessResult result = dupin(arguments);
       EXPECT_EQ(result.exit_code, 2) << command[0] << option << value;
       EXPECT_THAT(result.err, HasSubstr(option)) << command[0];
+    }
+  }
+}
+
+class IdleOptions : public Tool {
+ protected:
+  // Refused before anything is read, so that there need be no document.
+  void expect_refused(Words command, const Words& options, const std::string& why) const {
+    command.insert(command.end(), options.begin(), options.end());
+    const ProcessResult result = dupin(command);
+    EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(command) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(options.front()));
+    EXPECT_THAT(result.err, HasSubstr(why));
+    EXPECT_TRUE(folder_.files().empty());
+  }
+};
+
+// They were ignored without a word: who gives them expects something of them.
+TEST_F(IdleOptions, of_meshes_are_refused_beside_step) {
+  for (const Words& options : std::vector<Words>{{"--quality", "cfd"},
+                                                 {"--quality", "cad"},
+                                                 {"--size", "1mm"},
+                                                 {"--distance", "1mm"},
+                                                 {"--angle", "20"},
+                                                 {"--sharp", "30"},
+                                                 {"--origin", "auto"},
+                                                 {"--grid", "0.5"},
+                                                 {"--rounding-tolerance", "0.1"},
+                                                 {"--verify", "full"},
+                                                 {"--no-verify"}}) {
+    expect_refused({"build", "no.json", "-o", "a.step"}, options, "a STEP file");
+    expect_refused({"watch", "no.json", "-o", "a.stp"}, options, "a STEP file");
+  }
+  expect_refused({"build", "no.json", "-o", "a.step"}, {"--contacts", "separate=1mm"}, "refuse");
+  expect_refused({"build", "no.json", "-o", "a.step"}, {"--contacts", "bridge=1mm"}, "refuse");
+}
+
+TEST_F(IdleOptions, of_surfaces_are_refused_beside_tetrahedra) {
+  for (const Words& command :
+       std::vector<Words>{{"build", "no.json", "-o", "a.vtu"},
+                          {"build", "no.json", "-o", "a", "--format", "msh"},
+                          {"remesh", "no.off", "a.msh", "--tolerance", "1"}}) {
+    for (const Words& options : std::vector<Words>{{"--origin", "auto"},
+                                                   {"--grid", "0.5"},
+                                                   {"--rounding-tolerance", "0.1"},
+                                                   {"--verify", "full"}}) {
+      expect_refused(command, options, "write a surface");
+    }
+  }
+  expect_refused({"build", "no.json", "-o", "a.vtu"}, {"--quality", "cad"}, "always for solvers");
+}
+
+TEST_F(IdleOptions, of_meshes_for_solvers_are_refused_beside_others) {
+  for (const Words& options : std::vector<Words>{
+           {"--size", "1mm"}, {"--distance", "1mm"}, {"--angle", "25"}, {"--sharp", "40"}}) {
+    expect_refused({"build", "no.json", "-o", "a.stl"}, options, "--quality cfd");
+    expect_refused({"build", "no.json", "-o", "a.stl", "--quality", "cad"}, options,
+                   "--quality cfd");
+  }
+}
+
+TEST_F(IdleOptions, of_many_documents_are_refused_for_one) {
+  expect_refused({"build", "no.json", "-o", "a.stl"}, {"--jobs", "2"}, "--out-dir");
+}
+
+// They were settled when a mesh for solvers was rounded, which is not made of what touches itself.
+TEST_F(IdleOptions, contacts_are_settled_before_meshes_for_solvers_are_made) {
+  if (!has_mesh_generator()) {
+    GTEST_SKIP() << "this build makes no meshes for solvers";
+  }
+  folder_.write("touch.json", R"({"units": "mm", "tolerance": 0.2, "parts": [
+      {"name": "a", "sphere": {"center": [0, 0, 0], "radius": 2}},
+      {"name": "b", "sphere": {"center": [0, 0, 4], "radius": 2}}]})");
+  EXPECT_EQ(dupin({"build", "touch.json", "-o", "a.vtu"}).exit_code, 4);
+  for (const Words& output :
+       std::vector<Words>{{"-o", "a.vtu"}, {"-o", "a.stl", "--quality", "cfd"}}) {
+    for (const std::string policy : {"separate", "bridge"}) {
+      Words command{"build", "touch.json", "--contacts", policy + "=0.5mm"};
+      command.insert(command.end(), output.begin(), output.end());
+      const auto report = json(command, 0).at("output");
+      EXPECT_EQ(report.at("settled").at("policy"), policy);
+      EXPECT_EQ(report.at("settled").at("contacts").size(), 1U);
+      EXPECT_EQ(report.at("check").at("components"), policy == "bridge" ? 1 : 2);
     }
   }
 }
