@@ -10,12 +10,12 @@
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/parts/part_kind.h"
+#include "assembly/printable_names.h"
 #include "canal/straight_pipe.h"
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
-#include "numbers/control_character.h"
 
 namespace dupin {
 namespace {
@@ -153,24 +153,12 @@ class Resolver {
   }
 
   void check_names() {
-    for (const auto& [name, other] : assembly_.patches) {
-      if (numbers::has_controls(other)) {
-        throw Error(Errc::invalid_argument, "a patch's name must have no control characters", {},
-                    document_place(assembly_, "/patches/" + name));
-      }
-    }
+    assembly::require_printable_names(assembly_);
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       const std::string& name = assembly_.parts[i].name;
       const auto fault = [&](const std::string& message) {
         return Error(Errc::invalid_argument, message, name, document_place(assembly_, i) + "/name");
       };
-      if (name.empty() || name.find('.') != std::string::npos) {
-        throw fault("a part's name must not be empty and not contain a dot");
-      }
-      if (name.front() == ' ' || name.back() == ' ' || numbers::has_controls(name)) {
-        throw fault(
-            "a part's name must be one line, without control characters or blanks around it");
-      }
       if (const auto [entry, is_new] = index_.try_emplace(name, i); !is_new) {
         const std::string& pointer = assembly_.parts[entry->second].pointer;
         throw fault("the name is already taken by " +

@@ -215,19 +215,6 @@ TEST(Resolve, refuses_numbers_that_are_not) {
   }
 }
 
-TEST(Resolve, refuses_control_characters_in_names_of_patches) {
-  Assembly assembly;
-  assembly.source = "d";
-  assembly.parts = {{"a", PipeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), 1}}};
-  assembly.patches = {{"a", "in\u2028let"}};
-  try {
-    (void)resolve(assembly);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "d#/patches/a");
-  }
-}
-
 struct Refusal {
   std::vector<Part> parts;
   std::string part, where, message;
