@@ -6,6 +6,8 @@ set(config ${CMAKE_INSTALL_LIBDIR}/cmake/dupin)
 if(BUILD_SHARED_LIBS)
   install(TARGETS dupin EXPORT dupinTargets
     LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+  # It loads the module for STEP, which is beside it; the tool's own path does not count for what a library loads.
+  dupin_runtime_path(dupin library ${CMAKE_INSTALL_LIBDIR} "$ORIGIN")
   foreach(room IN ITEMS kernel blends io)
     install(DIRECTORY ${room}/include/ TYPE INCLUDE COMPONENT development)
   endforeach()

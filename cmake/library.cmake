@@ -27,8 +27,6 @@ else()
   # Before 1.0 every minor version may change what is exported.
   set_target_properties(dupin PROPERTIES VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} LINK_DEPENDS ${exported})
-  # It loads the module for STEP, which is beside it; the tool's own path does not count for what a library loads.
-  set_target_properties(dupin PROPERTIES INSTALL_RPATH "$ORIGIN")
   target_link_options(dupin PRIVATE LINKER:--version-script=${exported} LINKER:-z,defs)
 endif()
 add_library(dupin::dupin ALIAS dupin)
