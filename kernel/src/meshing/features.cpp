@@ -24,6 +24,10 @@ constexpr double kSharpTurn = 50 * std::numbers::pi / 180;
 constexpr double kFold = 120 * std::numbers::pi / 180;
 /// Creases that are deeper, in distances, are kept: less deep ones take fewer triangles without.
 constexpr double kDeep = 4;
+/// Two creases that turn by more lead the surface back beside itself. What is flat between them and
+/// narrower than edges, such as the rim of a plate, keeps them: in one region with both its sides,
+/// the generator makes all edges of these as short as the rim is wide.
+constexpr double kBack = 60 * std::numbers::pi / 180;
 /// What turns by less at every edge within is flat.
 constexpr double kFlat = 1e-3;
 
@@ -145,9 +149,12 @@ class Finder {
       const auto [f, g] = faces_at(e);
       const bool is_border = !mesh_.labels.empty() && mesh_.labels[f] != mesh_.labels[g];
       // A triangle across it has its middle so far from it.
-      const double length = std::min({largest_edge, widths[f], widths[g]});
+      const double width = std::min(widths[f], widths[g]);
+      const double length = std::min(largest_edge, width);
       const double depth = turns[e] > kFlat ? length / 4 * std::tan(turns[e] / 2) : 0;
-      is_sharp_[e] = is_border || turns[e] > angle || depth > kDeep * distance ? 1 : 0;
+      const bool leads_back = turns[e] > kBack && width < largest_edge;
+      is_sharp_[e] =
+          is_border || turns[e] > angle || leads_back || depth > kDeep * distance ? 1 : 0;
     }
   }
 

@@ -39,11 +39,12 @@ struct Features {
 /// Edges of a closed 2-manifold mesh in which the surface turns by more than `angle`, in radians,
 /// those between labels, and creases that a triangle across them would miss by far more than
 /// `distance`, were its edges as long as `largest_edge`, or what is flat beside them wide: without
-/// an edge there they would have to be tiny. Curves are cut where they turn sharply, seen over
-/// twice `distance`.
-/// Regions all of which lie within a quarter of it of a neighbour, or of what that became part of,
-/// become part of it, or, where the surface folds back to it, if within a sixteenth: slivers and
-/// steps that exact unions leave, whose borders would ask for triangles of no size.
+/// an edge there they would have to be tiny. So are creases along which what is flat is narrower
+/// than edges, if they turn by more than 60 degrees. Curves are cut where they turn sharply, seen
+/// over twice `distance`. Regions all of which lie within a quarter of it of a neighbour, or of
+/// what that became part of, become part of it, or, where the surface folds back to it, if within a
+/// sixteenth: slivers and steps that exact unions leave, whose borders would ask for triangles of
+/// no size.
 [[nodiscard]] Features find_features(const TriMesh& mesh, double angle, double distance,
                                      double largest_edge);
 

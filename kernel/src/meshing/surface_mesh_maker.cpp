@@ -75,7 +75,7 @@ class Maker {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       place_points();
       mesh_regions();
-      if (ask_for_less_of_failed()) {
+      if (ask_for_less_of_failed(attempt)) {
         continue;
       }
       tell(options_.progress, "prove");
@@ -168,11 +168,15 @@ class Maker {
       shares_[c] *= kLess;
     }
   }
-  bool ask_for_less_of_failed() {
+  bool ask_for_less_of_failed(int attempt) {
     std::vector<std::size_t> failed;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (!meshes_[r]) {
         fault_ = wishes_[r].fault;
+        // Without curves nothing changes from the second attempt on: it would fail again.
+        if (attempt > 0 && regions_[r].curves.empty()) {
+          throw Error(Errc::unroundable, fault_);
+        }
         wishes_[r] = {};
         failed.push_back(r);
       }

@@ -50,6 +50,17 @@ TEST(Features, of_a_box_are_its_edges) {
   }
 }
 
+// However large the angle of sharp edges is: in one region with both sides, the plate's edges would
+// all be as short as it is thick.
+TEST(Features, of_a_plate_are_its_rims) {
+  for (const double thickness : {1.0, 0.1}) {
+    const TriMesh plate = box(Vec3::Zero(), Vec3(100, 100, thickness));
+    EXPECT_EQ(find_features(plate, 1.6, 0.1, 14).curves.size(), 12U) << thickness;
+  }
+  const TriMesh cube = box(Vec3::Zero(), Vec3(100, 100, 100));
+  EXPECT_EQ(find_features(cube, 1.6, 0.1, 1).curves.size(), 0U) << "no edge is longer than 1";
+}
+
 TEST(Features, of_a_tube_are_two_loops) {
   const Features features = find_features(tube(1, 0, 4, 64), 0.7, 0.01, 0);
   ASSERT_EQ(features.curves.size(), 2U);

@@ -53,6 +53,15 @@ TEST(Remesh, of_a_box_keeps_it_exactly) {
   EXPECT_GE(made.report.smallest_angle, 25 * kDegree);
 }
 
+// It was one region, of edges as short as it is thick, which was made again and again.
+TEST(Remesh, of_a_plate_has_rims_whatever_is_sharp) {
+  const Solid plate = Solid::from(box(Vec3::Zero(), Vec3(100, 100, 1)));
+  Remeshed made;
+  expect_remeshed(plate, {.distance = 0.1, .feature_angle = 90 * kDegree}, made);
+  EXPECT_EQ(made.report.poor_triangles, 0U);
+  EXPECT_LT(made.solid.triangle_count(), 8000U);
+}
+
 TEST(Remesh, of_a_tube_has_the_angle_asked_for) {
   Remeshed made;
   const Solid given = Solid::from(tube(10, 0, 60, 128));
