@@ -271,6 +271,17 @@ void add_walls(const PolygonSoup& given, const DistinctFaces& distinct,
   }
 }
 
+// A face without copies that is inside out may be that of a body, or one so thin that rounding has
+// put a corner of it beyond another face.
+std::string remedy(bool is_single) {
+  const std::string of_bodies =
+      "where bodies are there several times or overlap, their faces have to be turned alike";
+  return of_bodies +
+         (is_single ? "; where the mesh crosses itself beside this face, as at a sliver that was "
+                      "rounded, two of its corners have to be put into one place"
+                    : "");
+}
+
 [[noreturn]] void refuse(const PolygonSoup& given, const DistinctFaces& distinct,
                          const Faces& lost) {
   const Triangle& t = distinct.triangles[lost.front()];
@@ -278,9 +289,7 @@ void add_walls(const PolygonSoup& given, const DistinctFaces& distinct,
               "the mesh cannot be repaired: what " + std::to_string(lost.size()) +
                   " faces bound would be lost, first the one with the corners " +
                   decimal(given.points[t[0]]) + ", " + decimal(given.points[t[1]]) + " and " +
-                  decimal(given.points[t[2]]) +
-                  "; where bodies are there several times or overlap, their faces have to be "
-                  "turned alike");
+                  decimal(given.points[t[2]]) + "; " + remedy(distinct.copies[lost.front()] == 1));
 }
 
 }  // namespace

@@ -372,6 +372,23 @@ TEST(Repair, names_what_is_at_an_edge_that_stays_open) {
   EXPECT_NE(refusal_of(joined({open, open})).find(", copies of each other;"), std::string::npos);
 }
 
+// The sliver 0 1 8 closes a front whose corner is beyond the bottom; there is nothing to be turned.
+TEST(Repair, says_what_to_do_with_a_sliver_of_which_a_corner_is_beyond_another_face) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                 {0, 1, 0}, {0, 0, 1}, {1, 0, 1},
+                 {1, 1, 1}, {0, 1, 1}, {0.5, 0x1p-10, -0x1p-10}};
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 8}, {0, 8, 5}, {8, 1, 5}, {0, 5, 4},
+                    {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7},
+                    {4, 5, 6}, {4, 6, 7}, {1, 2, 6}, {1, 2, 6}};
+  EXPECT_NE(refusal_of(mesh).find("what 1 faces bound would be lost"), std::string::npos);
+  EXPECT_NE(refusal_of(mesh).find("two of its corners have to be put into one place"),
+            std::string::npos)
+      << refusal_of(mesh);
+  mesh.points[8] = mesh.points[0];
+  EXPECT_EQ(repair(mesh).solid.volume(), 1);
+}
+
 // A wall across a box: its two halves, and the wall, end along the same edges.
 TEST(Repair, names_what_would_have_to_go_where_that_would_do) {
   TriMesh walled = test::tetrahedron({0, 0, 0}, 2);
