@@ -1,5 +1,6 @@
 #include "input.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
+#include "exchange_options.h"
 #include "exit_code.h"
 
 namespace dupin::cli {
@@ -34,7 +36,14 @@ bool Input::is_document() const {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   const std::size_t mark = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n", mark);
-  return first != std::string::npos && bytes[first] == '{';
+  if (first != std::string::npos && bytes[first] == '{') {
+    return true;
+  }
+  // An empty one, or what is no object: as a document it is told what is wrong with it.
+  return lower_extension(name) == ".json" &&
+         std::ranges::all_of(mesh_formats(), [&](const MeshFormat& format) {
+           return format.recognises(bytes) == Evidence::none;
+         });
 }
 
 std::string Input::unit() const { return mesh_unit(bytes, name); }

@@ -19,7 +19,8 @@ struct Input {
   std::string bytes;
   std::string name;
 
-  /// True when the bytes look like an assembly document, not a mesh.
+  /// True when the bytes look like an assembly document, not a mesh, or like neither in a file
+  /// named .json.
   [[nodiscard]] bool is_document() const;
 
   /// What the mesh file says; empty if nothing. Throws as `dupin::mesh_unit`.

@@ -73,6 +73,16 @@ TEST_F(MeshCommands, info_says_what_becomes_of_a_graph) {
   EXPECT_EQ(dupin({"info", example("frame.graph"), "--unit", "mile"}).exit_code, 2);
 }
 
+TEST_F(MeshCommands, info_of_an_empty_document_does_not_ask_for_a_mesh) {
+  folder_.write("a.json", "");
+  for (const std::string command : {"info", "gaps"}) {
+    const ProcessResult empty = dupin({command, "a.json"});
+    EXPECT_EQ(empty.exit_code, 3);
+    EXPECT_THAT(empty.err, HasSubstr("a.json:1:1: syntax error"));
+    EXPECT_THAT(empty.err, testing::Not(HasSubstr("mesh")));
+  }
+}
+
 // Of a document that nothing else takes, too.
 TEST_F(MeshCommands, info_shows_names_on_one_line_without_control_characters) {
   folder_.write("a.json", R"({"units": "mm", "tolerance": 0.1, "parts": [

@@ -26,6 +26,14 @@ TEST(Input, is_a_document_if_it_begins_with_a_brace) {
   EXPECT_FALSE((Input{" ", "a"}).is_document());
 }
 
+TEST(Input, named_json_is_a_document_unless_it_is_a_mesh) {
+  for (const std::string bytes : {"", " \n", "\xEF\xBB\xBF", "[]", "\"a\"", "units"}) {
+    EXPECT_TRUE((Input{bytes, "in/a.json"}).is_document()) << bytes;
+    EXPECT_FALSE((Input{bytes, "in/a.off"}).is_document()) << bytes;
+  }
+  EXPECT_FALSE(off("a.json", test::box({0, 0, 0}, {1, 1, 1})).is_document());
+}
+
 TEST(Input, of_pipes_can_be_read_only_once) {
   const test::TemporaryFolder folder;
   const std::string pipe = folder.path() / "pipe", file = folder.path() / "file";
