@@ -14,6 +14,7 @@
 #include "dupin/io/streamed_format.h"
 #include "exchange_options.h"
 #include "exit_code.h"
+#include "interrupt.h"
 #include "output.h"
 
 namespace dupin::cli {
@@ -157,6 +158,7 @@ void require_sound_arguments(const CLI::App& app, const CLI::App& command) {
 void require_writable_outputs() {
   for (const NamedFile& output : the_outputs) {
     writing([&] { (void)AsideFile(output.typed); });
+    expect_file(output.typed.string());
   }
 }
 

@@ -15,8 +15,9 @@ namespace dupin::cli {
 /// Throws UsageError.
 void require_sound_arguments(const CLI::App& app, const CLI::App& command);
 
-/// Before anything is computed: a file can be put where each output of that command goes. Throws
-/// OutputError. What fails later, as a disk that is full then, is said later.
+/// Before anything is computed: a file can be put where each output of that command goes, and is
+/// expected there (interrupt.h). Throws OutputError. What fails later, as a disk that is full then,
+/// is said later.
 void require_writable_outputs();
 
 /// The first of it, of a file that is only known to be read when another one is: no output of the

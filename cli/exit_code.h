@@ -16,7 +16,7 @@ enum class ExitCode {
   refused = 4,        ///< an operation that has no valid result: blend, contact, rounding
   output = 5,         ///< the result could not be written
   internal = 70,      ///< a bug of ours, or no memory
-  interrupted = 130,  ///< by a signal; no file was written
+  interrupted = 130,  ///< by a signal; what was asked for is not there
 };
 
 [[nodiscard]] ExitCode exit_code(Errc code);

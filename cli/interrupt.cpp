@@ -1,11 +1,13 @@
 #include "interrupt.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
 #include <initializer_list>
 #include <string_view>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +23,16 @@ constinit std::atomic<bool> lost_reader = false;
 constinit std::atomic<bool> is_silent = false;
 constinit std::atomic<const std::string*> the_words = nullptr;  // never destroyed
 constinit std::array<std::atomic<pid_t>, 256> the_children{};
+
+struct ExpectedFile {
+  std::array<char, 4096> path{};  // as many as the system takes
+  dev_t device = 0;
+  ino_t number = 0;  // of what is there before; none has 0
+};
+constinit std::array<ExpectedFile, 16> the_expected{};
+constinit std::atomic<std::size_t> expected_count = 0;
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::size_t>::is_always_lock_free);
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -47,23 +58,41 @@ void say_interrupted() {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, words.data(), words.size());
 }
 
+/// A file that takes its place is a new one; what is written into, as a pipe, tells nothing.
+bool is_in_place(const ExpectedFile& expected) {
+  struct stat status {};
+  return ::stat(expected.path.data(), &status) == 0 &&
+         (!S_ISREG(status.st_mode) || status.st_dev != expected.device ||
+          status.st_ino != expected.number);
+}
+
+bool are_all_in_place() {
+  const std::size_t count = expected_count;
+  return std::all_of(the_expected.begin(), the_expected.begin() + count, is_in_place);
+}
+
 void on_interrupt(int) {
-  if (abandon_files()) {
-    end_children();
-    if (!is_silent) {
-      say_interrupted();
-    }
-    ::_exit(static_cast<int>(ExitCode::interrupted));
+  if (!abandon_files()) {
+    was_interrupted = true;
+    return;
   }
-  if (was_interrupted.exchange(true)) {
+  end_children();
+  if (was_interrupted && are_all_in_place()) {
     ::_exit(static_cast<int>(ExitCode::ok));
   }
+  if (!is_silent) {
+    say_interrupted();
+  }
+  ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
 void on_end(int number) {
-  if (!abandon_files() && number == SIGPIPE) {
+  if (number == SIGPIPE && (lost_reader || was_interrupted || !abandon_files())) {
     lost_reader = true;
     return;
+  }
+  if (number != SIGPIPE && !abandon_files()) {
+    (void)abandon_files();  // it does when asked again
   }
   ::signal(number, SIG_DFL);
   ::raise(number);
@@ -109,6 +138,21 @@ void end_on_signals() {
 }
 
 void say_on_interrupt(const std::string& text) { delete the_words.exchange(new std::string(text)); }
+
+void expect_file(const std::string& path) {
+  const std::size_t count = expected_count;
+  if (count == the_expected.size() || path.size() >= the_expected[count].path.size()) {
+    return;
+  }
+  ExpectedFile& expected = the_expected[count];
+  std::ranges::copy(path, expected.path.begin());
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    expected.device = status.st_dev;
+    expected.number = status.st_ino;
+  }
+  expected_count = count + 1;
+}
 
 void end_before(pid_t child) {
   for (std::atomic<pid_t>& place : the_children) {

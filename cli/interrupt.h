@@ -8,10 +8,13 @@ namespace dupin::cli {
 
 /// From now on a signal that would end the program ends it with exit code 130 and leaves no file
 /// that is not whole; a closed pipe and a crash end it as they always do, but leave none either.
-/// Once a file has taken its place, only a second signal ends the program, and as a success: what
-/// is missing is the report. Too large a file (SIGXFSZ) is an error of writing. A signal that was
-/// ignored, or has a handler, stays so.
+/// Once a file has taken its place, only a second signal ends the program, as a success if all that
+/// is expected is in its place: what is missing is the report. Too large a file (SIGXFSZ) is an
+/// error of writing. A signal that was ignored, or has a handler, stays so.
 void end_on_signals();
+
+/// A file is to be put there, which has not begun. Of a few.
+void expect_file(const std::string& path);
 
 /// What it then says on standard error, "dupin: interrupted" if not told; for programs, as JSON.
 void say_on_interrupt(const std::string& text);

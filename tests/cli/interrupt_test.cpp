@@ -1,9 +1,12 @@
 #include "interrupt.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -69,6 +72,63 @@ TEST_F(Interrupt, a_signal_after_the_file_took_its_place_is_no_failure) {
     EXPECT_EQ(ended(folder_.path() / "x", number, true), 0) << number;
     EXPECT_EQ(folder_.read("x"), "bytes") << number;
   }
+}
+
+/// What a process that is to put `x` and `y` in their places, and has got so far, does at two
+/// signals: its exit code and what it says.
+std::string ended_at_once(const std::filesystem::path& folder, bool has_begun, bool is_complete) {
+  const std::filesystem::path said = folder / "said";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    cli::end_on_signals();
+    cli::expect_file(folder / "x");
+    cli::expect_file(folder / "y");
+    AsideFile first(folder / "x", "bytes");
+    std::optional<AsideFile> second;
+    if (has_begun) {
+      second.emplace(folder / "y", "bytes");
+    }
+    first.commit();
+    if (is_complete) {
+      second->commit();
+    }
+    ::raise(SIGTERM);
+    ::raise(SIGINT);
+    ::_exit(1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const std::string words = read_file(said);
+  std::filesystem::remove(said);
+  return std::to_string(WEXITSTATUS(status)) + " " + words;
+}
+
+TEST_F(Interrupt, a_second_signal_says_whether_all_that_was_asked_for_is_in_place) {
+  const std::filesystem::path folder = folder_.path();
+  EXPECT_EQ(ended_at_once(folder, false, false), "130 dupin: interrupted\n");
+  EXPECT_THAT(folder_.files(), ElementsAre("x"));
+  EXPECT_EQ(ended_at_once(folder, true, false), "130 dupin: interrupted\n");
+  EXPECT_THAT(folder_.files(), ElementsAre("x"));
+  EXPECT_EQ(ended_at_once(folder, true, true), "0 ");
+  EXPECT_THAT(folder_.files(), ElementsAre("x", "y"));
+  // That of an earlier run is none.
+  EXPECT_EQ(ended_at_once(folder, true, false), "130 dupin: interrupted\n");
+  EXPECT_THAT(folder_.files(), ElementsAre("x", "y"));
+}
+
+TEST_F(Interrupt, a_crash_leaves_no_file_aside_once_one_is_in_its_place) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(STDERR_FILENO);
+    cli::end_on_signals();
+    AsideFile first(folder_.path() / "x", "bytes");
+    const AsideFile second(folder_.path() / "y", "bytes");
+    first.commit();
+    ::abort();
+  }
+  ::waitpid(child, nullptr, 0);
+  EXPECT_THAT(folder_.files(), ElementsAre("x"));
 }
 
 TEST_F(Interrupt, signals_that_end_no_program_end_none) {

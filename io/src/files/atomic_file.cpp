@@ -81,7 +81,7 @@ int write_all(int descriptor, std::string_view bytes) {
 /// alone.
 struct Register {
   std::vector<const char*> aside;
-  bool has_committed = false;
+  bool has_committed = false, may_go_on = false;
 };
 
 // Never destroyed: handlers may run after the end of main.
@@ -376,10 +376,12 @@ void AsideFile::commit() {
   sync_directory(target_);
 }
 
+// Asked again after it has let the process go on, it takes the rest away.
 bool abandon_files() noexcept {
   Exclusive::acquire();
   if (the_register != nullptr) {
-    if (the_register->has_committed) {
+    if (the_register->has_committed && !the_register->may_go_on) {
+      the_register->may_go_on = true;
       is_busy.clear();
       return false;
     }
