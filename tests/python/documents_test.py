@@ -206,6 +206,10 @@ def test_surfaces_and_bills():
     surfaces = dupin.nurbs(EXAMPLES / "reducer.json")
     assert [part["part"] for part in surfaces["parts"]] == ["inlet", "outlet", "blend"]
     assert surfaces["parts"][0]["error_bound"] == 0
+    for tolerance in (-1, 0, float("inf"), float("nan")):
+        for example in ("reducer.json", "tee.json", "junction.json"):
+            with pytest.raises(dupin.errors.InvalidArgument, match="tolerance"):
+                dupin.nurbs(EXAMPLES / example, tolerance=tolerance)
     bill = dupin.bill_of_materials(EXAMPLES / "reducer.json", density=7850)
     assert len(bill["parts"]) == 3 and bill["sum"]["metal"]["mass"] > 0
     for density in (-3, 0, float("inf"), float("nan")):

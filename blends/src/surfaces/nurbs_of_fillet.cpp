@@ -9,6 +9,7 @@
 #include "dupin/blends/nurbs.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/nurbs_rows.h"
 
 namespace dupin {
 namespace {
@@ -179,6 +180,7 @@ NurbsForm exact_form(const std::array<CanalNet, 4>& nets) {
 }  // namespace
 
 NurbsForm nurbs(const CanalFillet& loop, double tolerance) {
+  surfaces::require_nurbs_tolerance(tolerance);
   if (const auto nets = exact_nets(loop)) {
     return exact_form(*nets);
   }

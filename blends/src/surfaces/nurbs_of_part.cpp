@@ -57,6 +57,7 @@ struct Form {
 }  // namespace
 
 NurbsForm nurbs(const PartSurface& surface, double tolerance) {
+  surfaces::require_nurbs_tolerance(tolerance);
   return std::visit(Form{tolerance}, surface);
 }
 

@@ -2,7 +2,17 @@
 
 #include <cmath>
 
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
 namespace dupin::surfaces {
+
+void require_nurbs_tolerance(double tolerance) {
+  if (!(tolerance > 0 && std::isfinite(tolerance))) {
+    throw Error(Errc::invalid_argument, "the tolerance of NURBS must be positive and finite, not " +
+                                            decimal(tolerance, kMessageDigits));
+  }
+}
 
 std::vector<double> bezier_knots(int degree, int pieces) {
   std::vector<double> knots{0};

@@ -24,6 +24,9 @@ struct NurbsRow {
 /// Bezier pieces of this degree along, which share their end rows.
 [[nodiscard]] NurbsSurface nurbs_through(const std::vector<NurbsRow>& rows, int degree);
 
+/// Throws Error{invalid_argument} for a tolerance that is not positive and finite.
+void require_nurbs_tolerance(double tolerance);
+
 /// The approximation of nurbs() to surfaces that are not rational.
 [[nodiscard]] NurbsForm lofted_nurbs(const RingedSurface& surface, double tolerance);
 [[nodiscard]] NurbsForm lofted_nurbs(const EllipticTube& tube, double tolerance);

@@ -279,6 +279,10 @@ void require_exchange(const Assembly& assembly, std::optional<Region> region,
 
 ExchangeFile step_file(const Assembly& assembly, const Built& built,
                        const ExchangeOptions& options) {
+  if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
+    throw Error(Errc::invalid_argument, "the tolerance must be positive and finite, not " +
+                                            decimal(*options.tolerance, kMessageDigits));
+  }
   require_exchange(assembly, built.region, options.solids);  // else nothing need be tried
   if (options.solids != ExchangeSolids::united) {
     exchange::refuse_fillets(assembly);

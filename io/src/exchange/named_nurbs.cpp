@@ -1,9 +1,11 @@
 #include "dupin/io/named_nurbs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -33,6 +35,10 @@ void append_fillets(const ResolvedAssembly& resolved, double tolerance,
 }  // namespace
 
 std::vector<NamedNurbs> named_nurbs(const Assembly& assembly, double tolerance) {
+  if (!(tolerance > 0 && std::isfinite(tolerance))) {  // which is of no part
+    throw Error(Errc::invalid_argument, "the tolerance of NURBS must be positive and finite, not " +
+                                            decimal(tolerance, kMessageDigits));
+  }
   std::vector<NamedNurbs> result;
   const ResolvedAssembly resolved = resolve(assembly);
   for (const ResolvedPart& part : resolved.parts) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -207,6 +208,13 @@ TEST(Nurbs, ends_in_the_exact_circles_tangent_to_the_pipes) {
 
 TEST(Nurbs, refuses_tolerances_beyond_reach) {
   EXPECT_THROW((void)nurbs(test::figure6(), 1e-17), Error);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double none : {0., -1., kInfinity, std::nan("")}) {
+    for (const PartSurface& surface :
+         {exact_surfaces().front().surface, PartSurface(test::figure6())}) {
+      EXPECT_THROW((void)nurbs(surface, none), Error) << none;
+    }
+  }
 }
 
 }  // namespace

@@ -195,6 +195,19 @@ TEST(Exchange, parts_have_the_colours_that_are_chosen) {
   EXPECT_THAT(bytes({.colours = {{part, "#3366cc"}}}), testing::HasSubstr(chosen));
 }
 
+TEST(Exchange, refuses_a_tolerance_that_is_none) {
+  const Assembly assembly = example("reducer");
+  const Built built = build(assembly);
+  for (const double none : {0., -1., HUGE_VAL, std::nan("")}) {
+    try {
+      (void)step_file(assembly, built, {.tolerance = none});
+      ADD_FAILURE() << none;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument) << error.what();
+    }
+  }
+}
+
 TEST(Exchange, has_names) {
   EXPECT_EQ(name(ExchangeSolids::united), "united");
   EXPECT_EQ(name(ExchangeSolids::runs), "runs");

@@ -58,5 +58,19 @@ TEST(NamedNurbs, that_are_refused_are_so_with_the_parts_name) {
   }
 }
 
+TEST(NamedNurbs, are_refused_for_a_tolerance_that_is_none) {
+  for (const char* const name : {"reducer.json", "tee.json", "oblique-nozzle.json"}) {
+    for (const double none : {0., -1., HUGE_VAL, std::nan("")}) {
+      try {
+        (void)of_example(name, none);
+        ADD_FAILURE() << name << " " << none;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::invalid_argument) << error.what();
+        EXPECT_EQ(error.part(), "");
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin
