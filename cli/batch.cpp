@@ -19,6 +19,7 @@
 #include "dupin/io/report_json.h"
 #include "option_list.h"
 #include "progress_line.h"
+#include "report_text.h"
 
 namespace dupin::cli {
 namespace {
@@ -137,7 +138,7 @@ class Batch {
     }
     std::ostream& out = common_.quiet ? std::cerr : std::cout;
     if (!common_.quiet) {
-      out << items_.size() << " documents: " << counts_["built"] << " built, "
+      out << counted(items_.size(), "document") << ": " << counts_["built"] << " built, "
           << counts_["findings"] << " with findings, " << counts_["failed"] << " failed\n";
     }
     for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -186,8 +187,7 @@ std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const 
     if (!is_new) {
       refuse_both(owner->second, file, output);
     }
-    // Whether it is its own input, its own process looks at.
-    if (const auto other = inputs.find(place); place != file_at(file) && other != inputs.end()) {
+    if (const auto other = inputs.find(place); other != inputs.end()) {
       throw UsageError("'" + output + "' of '" + file + "' would take the place of '" +
                        other->second + "'");
     }

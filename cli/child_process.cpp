@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <system_error>
 
 #include <fcntl.h>
@@ -10,21 +11,28 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "dupin/io/scratch_file.h"
 #include "dupin/kernel/error.h"
+#include "exit_code.h"
 #include "interrupt.h"
 
 namespace dupin::cli {
 namespace {
 
-[[noreturn]] void fail(const std::string& action) {
-  throw Error(Errc::io_failed, "cannot " + action + ": " + std::generic_category().message(errno));
+// What this process cannot begin is no fault of what it reads.
+[[noreturn]] void fail(const std::string& action, const std::string& place = {}) {
+  const int reason = errno;
+  throw OutputError(Error(Errc::io_failed,
+                          "cannot " + action + ": " + std::generic_category().message(reason), {},
+                          place));
 }
 
 int file_without_a_name() {
-  std::string path = "/tmp/dupin-XXXXXX";
+  const std::filesystem::path folder = temporary_folder();
+  std::string path = folder / "dupin-XXXXXX";
   const int file = ::mkostemp(path.data(), O_CLOEXEC);
   if (file < 0) {
-    fail("make a temporary file");
+    fail("make a temporary file", folder);
   }
   ::unlink(path.c_str());
   return file;
@@ -38,6 +46,34 @@ std::string text_in(int file) {
     text.append(piece, static_cast<std::size_t>(size));
   }
   return text;
+}
+
+// Signals wait while there is one.
+class WithoutSignals {
+ public:
+  WithoutSignals() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~WithoutSignals() { end(); }
+  WithoutSignals(const WithoutSignals&) = delete;
+  WithoutSignals& operator=(const WithoutSignals&) = delete;
+
+  void end() const { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
+/// What its parent does at signals, as to end its other children and to say so, a child does not.
+void forget_handlers() {
+  for (int number = 1; number <= SIGRTMAX; ++number) {
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
+      ::signal(number, SIG_DFL);
+    }
+  }
 }
 
 }  // namespace
@@ -56,11 +92,14 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, bool captu
     err_ = file_without_a_name();
   }
   const pid_t parent = ::getpid();
+  const WithoutSignals quiet;
   id_ = ::fork();
   if (id_ < 0) {
     fail("start another process");
   }
   if (id_ == 0) {  // only what POSIX allows after fork
+    forget_handlers();
+    quiet.end();
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) {
       ::_exit(1);

@@ -114,6 +114,37 @@ TEST_F(Batch, what_makes_no_sense_is_refused_before_anything_is_built) {
       << "as each document says";
 }
 
+// Were one to end before it is the tool, it would speak for its parent, and end its siblings.
+TEST_F(Batch, without_room_for_processes_says_so_and_nothing_else) {
+  const ProcessResult result = shell(
+      "for i in {1..20}; do cp a.json a$i.json; done; ulimit -n 20; export TMPDIR=$PWD; "
+      "dupin build a*.json --out-dir out -j 20 -q; echo $?");
+  EXPECT_EQ(result.out, "5\n");
+  EXPECT_EQ(result.err, "dupin: " + folder_.path().string() +
+                            ": cannot make a temporary file: Too many open files\n");
+}
+
+TEST_F(Batch, a_document_is_not_replaced_by_its_own_mesh) {
+  folder_.write("a.stl", sphere("1"));
+  const std::string before = folder_.read("a.stl");
+  for (const std::vector<std::string>& files :
+       {std::vector<std::string>{"a.stl"}, {"c.json", "a.stl"}}) {
+    std::vector<std::string> all{"build", "--out-dir", "."};
+    all.insert(all.end(), files.begin(), files.end());
+    const ProcessResult result = dupin(all);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr("'./a.stl' of 'a.stl' would take the place of 'a.stl'"));
+    EXPECT_EQ(folder_.read("a.stl"), before);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.stl"));
+  }
+}
+
+TEST_F(Batch, counts_one_document_as_one) {
+  EXPECT_THAT(dupin({"build", "a.json", "--out-dir", "out"}).out,
+              HasSubstr("\n1 document: 1 built, 0 with findings, 0 failed\n"));
+}
+
 // Processes of their own do not see each other's files.
 TEST_F(Batch, no_document_takes_the_place_of_another_one_by_a_link) {
   const std::filesystem::path out = folder_.path() / "out";
