@@ -279,11 +279,13 @@ std::uint32_t Labels::label(const std::string& name) {
   return known->second;
 }
 
-std::vector<Label> Labels::coloured(const std::map<std::string, std::string>& chosen) const {
+std::vector<Label> Labels::coloured(const std::map<std::string, std::string>& chosen,
+                                    const std::map<std::string, std::string>& others) const {
   const std::vector<text::Colour> colours = text::label_colours(names_, chosen);
   std::vector<Label> labels;
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    labels.push_back({names_[i], colours[i]});
+    const auto other = others.find(names_[i]);
+    labels.push_back({other == others.end() ? names_[i] : other->second, colours[i]});
   }
   return labels;
 }

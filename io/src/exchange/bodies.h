@@ -16,8 +16,10 @@ namespace dupin::exchange {
 class Labels {
  public:
   [[nodiscard]] std::uint32_t label(const std::string& name);
-  /// All of them, in colours that are chosen for parts by their names, or else tell them apart.
-  [[nodiscard]] std::vector<Label> coloured(const std::map<std::string, std::string>& chosen) const;
+  /// All of them, in colours that are chosen for parts by their names, or else tell them apart, and
+  /// by other names, as of meshes, where there are any.
+  [[nodiscard]] std::vector<Label> coloured(const std::map<std::string, std::string>& chosen,
+                                            const std::map<std::string, std::string>& others) const;
 
  private:
   std::map<std::string, std::uint32_t> numbers_;

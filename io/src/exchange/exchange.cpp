@@ -93,7 +93,7 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
     model.tools = bodies(region.inside);
     model.kept = bodies(region.kept);
   }
-  model.labels = labels.coloured(options.colours);
+  model.labels = labels.coloured(options.colours, assembly.patches);
   if (!model.is_united && !can_be_alone(model)) {
     throw Error(Errc::boolean_failed,
                 "solids of runs or parts alone are written of the outer region of assemblies "

@@ -20,16 +20,21 @@ struct LabelledShape {
   FaceLabels labels;
 };
 
-/// The labels of what an algorithm made of faces.
+/// The labels of what an algorithm made of faces. What has one already keeps it.
 template <class Algorithm>
 void inherit(Algorithm& made, const FaceLabels& before, FaceLabels& after) {
   for (FaceLabels::Iterator face(before); face.More(); face.Next()) {
     const TopTools_ListOfShape& now = made.Modified(face.Key());
+    const auto bind = [&](const TopoDS_Shape& shape) {
+      if (!after.IsBound(shape)) {
+        after.Bind(shape, face.Value());
+      }
+    };
     if (now.IsEmpty() && !made.IsDeleted(face.Key())) {
-      after.Bind(face.Key(), face.Value());
+      bind(face.Key());
     }
     for (const TopoDS_Shape& shape : now) {
-      after.Bind(shape, face.Value());
+      bind(shape);
     }
   }
 }

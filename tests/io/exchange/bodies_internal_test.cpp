@@ -25,7 +25,7 @@ Made bodies(const Assembly& assembly, bool by_part) {
   Made made;
   Labels labels;
   made.bodies = bodies_of(assembly, resolve(assembly), 0.01, by_part, labels, made.count);
-  made.labels = labels.coloured({});
+  made.labels = labels.coloured({}, {});
   return made;
 }
 

@@ -1,6 +1,9 @@
 #include "dupin/io/exchange.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -205,6 +208,44 @@ TEST(Exchange, refuses_a_tolerance_that_is_none) {
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::invalid_argument) << error.what();
     }
+  }
+}
+
+// Those of ADVANCED_FACE, each once.
+std::set<std::string> face_names(const std::string& step) {
+  const std::string key = "ADVANCED_FACE('";
+  std::set<std::string> names;
+  for (std::size_t at = step.find(key); at != std::string::npos; at = step.find(key, at)) {
+    at += key.size();
+    names.insert(step.substr(at, step.find('\'', at) - at));
+  }
+  return names;
+}
+
+// Of parts that coincide, that of the first.
+TEST(Exchange, faces_have_the_names_of_the_mesh) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  const std::string pipes =
+      R"({"name": "a", "pipe": {"from": [0, 0, 0], "to": [10, 0, 0], "radius": 2}},
+      {"name": "inlet", "cap": {"at": "a.start"}})";
+  const std::string balls = R"({"name": "a", "sphere": {"center": [0, 0, 0], "radius": 10}},
+      {"name": "b", "sphere": {"center": [0, 0, 0], "radius": 10}})";
+  struct Case {
+    std::string patches, parts;
+    std::set<std::string> names;
+  };
+  for (const auto& [patches, parts, names] :
+       {Case{R"({"a.end": "outlet", "a": "wall"})", pipes, {"inlet", "outlet", "wall"}},
+        Case{"{}", pipes, {"a", "a.end", "inlet"}}, Case{"{}", balls, {"a"}},
+        Case{R"({"a": "b"})", balls, {"b"}}}) {
+    const Assembly assembly = parse_assembly(R"({"units": "mm", "tolerance": 0.1, "patches": )" +
+                                             patches + R"(, "parts": [)" + parts + "]}");
+    const Built built = build(assembly);
+    EXPECT_EQ(face_names(step_file(assembly, built, {}).bytes), names);
+    const std::set<std::string> of_mesh(built.solid.names().begin(), built.solid.names().end());
+    EXPECT_TRUE(std::ranges::includes(of_mesh, names));
   }
 }
 
