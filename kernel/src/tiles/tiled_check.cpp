@@ -16,6 +16,7 @@
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "support/bulk_vector.h"
+#include "support/byte_size.h"
 #include "support/none.h"
 #include "tiles/first_corners.h"
 #include "tiles/shell_parts.h"
@@ -152,10 +153,10 @@ class TiledCheck {
       }
       constexpr double kHardlyLess = 0.9;
       if (tree_.size() < most || largest > kHardlyLess * before) {
-        throw Error(Errc::limit_exceeded,
-                    "the largest of " + std::to_string(tree_.size()) + " tiles has " +
-                        decimal(largest) + " triangles, which need " +
-                        decimal_at_most(needed / 1e9) + " GB; give --memory more");
+        throw Error(Errc::limit_exceeded, "the largest of " + std::to_string(tree_.size()) +
+                                              " tiles has " + decimal(largest) +
+                                              " triangles, which need " +
+                                              support::byte_size(needed) + "; give --memory more");
       }
       before = largest;
     }
