@@ -1,5 +1,8 @@
 #include <iostream>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -13,6 +16,26 @@
 
 namespace dupin::cli {
 namespace {
+
+/// The names that some triangle has, as formats may list others.
+void drop_other_names(TriMesh& mesh) {
+  std::vector<bool> is_used(mesh.names.size(), false);
+  for (const std::uint32_t label : mesh.labels) {
+    is_used[label] = true;
+  }
+  std::vector<std::uint32_t> number(mesh.names.size());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < mesh.names.size(); ++i) {
+    number[i] = static_cast<std::uint32_t>(names.size());
+    if (is_used[i]) {
+      names.push_back(std::move(mesh.names[i]));
+    }
+  }
+  for (std::uint32_t& label : mesh.labels) {
+    label = number[label];
+  }
+  mesh.names = std::move(names);
+}
 
 void print_summary(const MeshSummary& summary) {
   print_row(std::cout, "file", summary.file);
@@ -64,6 +87,7 @@ ExitCode run_info(const InfoArguments& arguments, const CommonOptions& common) {
   }
   refuse_of_mesh(input.name, arguments.source);
   TriMesh mesh = read_mesh(input.bytes, input.name);
+  drop_other_names(mesh);
   const Report report = check(mesh, {.limit = 0, .self_intersections = false});
   const MeshSummary summary{input.name, input.unit(), std::move(mesh), report};
   if (common.json) {

@@ -5,6 +5,7 @@
 
 #include "cli/tool.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
 #include "support/shapes.h"
 
@@ -52,6 +53,20 @@ TEST_F(MeshCommands, info_lists_labels) {
       {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
   folder_.write("a.stl", mesh_bytes(two, kStlAscii));
   EXPECT_EQ(json({"info", "a.stl"}, 0).at("names"), (nlohmann::json{"left", "right"}));
+}
+
+TEST_F(MeshCommands, info_lists_no_label_that_no_triangle_has) {
+  TriMesh two = joined(
+      {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
+  two.names = {"none", "left", "", "right"};
+  for (std::uint32_t& label : two.labels) {
+    label = 2 * label + 1;
+  }
+  folder_.write("a.ply", mesh_bytes(two, kPlyBinary));
+  EXPECT_EQ(json({"info", "a.ply"}, 0).at("names"), (nlohmann::json{"left", "right"}));
+  const std::string text = dupin({"info", "a.ply"}).out;
+  EXPECT_THAT(text, HasSubstr("label                left\nlabel                right\n"));
+  EXPECT_THAT(text, Not(HasSubstr("none")));
 }
 
 TEST_F(MeshCommands, info_lists_the_parts_of_a_document) {
