@@ -147,7 +147,7 @@ LabelledShape united(const exchange::BodyUnion& bodies) {
     for (const std::size_t body : group) {
       members.push_back(std::move(all[body]));
     }
-    append(fused(members, bodies.bodies[group.front()].name), result);
+    append(fused(members, bodies.bodies[group.front()].name, "it and others"), result);
   }
   return filleted(std::move(result), bodies.fillets);
 }

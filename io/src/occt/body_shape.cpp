@@ -318,7 +318,7 @@ LabelledShape solid_of(const Body& body) {
   for (const exchange::BallSector& sector : body.sectors) {
     shapes.push_back(shape_of(sector, body.name));
   }
-  return fused(shapes, body.name);
+  return fused(shapes, body.name, "its own pieces");
 }
 
 }  // namespace dupin::occt

@@ -21,7 +21,7 @@ std::string errors_of(const BRepAlgoAPI_BooleanOperation& algorithm) {
 
 LabelledShape built(BRepAlgoAPI_BooleanOperation& operation,
                     std::span<const LabelledShape> arguments, std::span<const LabelledShape> tools,
-                    const std::string& at) {
+                    const std::string& at, const std::string& what) {
   const auto shapes = [](std::span<const LabelledShape> all) {
     TopTools_ListOfShape list;
     for (const LabelledShape& one : all) {
@@ -35,7 +35,7 @@ LabelledShape built(BRepAlgoAPI_BooleanOperation& operation,
   operation.SetNonDestructive(Standard_True);
   operation.Build();
   if (!operation.IsDone() || operation.HasErrors()) {
-    throw Refusal("OpenCASCADE does not find where it crosses others: " + errors_of(operation), at);
+    throw Refusal("OpenCASCADE does not find where " + what + ": " + errors_of(operation), at);
   }
   LabelledShape result;
   result.shape = operation.Shape();
@@ -49,22 +49,24 @@ LabelledShape built(BRepAlgoAPI_BooleanOperation& operation,
 
 }  // namespace
 
-LabelledShape fused(std::span<const LabelledShape> all, const std::string& at) {
+LabelledShape fused(std::span<const LabelledShape> all, const std::string& at,
+                    const std::string& what) {
   if (all.size() == 1) {
     return all.front();
   }
   BRepAlgoAPI_Fuse fuse;
-  return built(fuse, all.first(1), all.subspan(1), at);
+  return built(fuse, all.first(1), all.subspan(1), at, what + " meet");
 }
 
 LabelledShape combined(const LabelledShape& a, const LabelledShape& b,
                        exchange::Operation operation) {
+  constexpr const char* kBoth = "the solid and what is inside it meet";
   if (operation == exchange::Operation::subtract) {
     BRepAlgoAPI_Cut cut;
-    return built(cut, {&a, 1}, {&b, 1}, "");
+    return built(cut, {&a, 1}, {&b, 1}, "", kBoth);
   }
   BRepAlgoAPI_Common common;
-  return built(common, {&a, 1}, {&b, 1}, "");
+  return built(common, {&a, 1}, {&b, 1}, "", kBoth);
 }
 
 }  // namespace dupin::occt

@@ -8,8 +8,10 @@
 
 namespace dupin::occt {
 
-/// The union of one shape or more. Throws Refusal about `at` where OpenCASCADE fails.
-[[nodiscard]] LabelledShape fused(std::span<const LabelledShape> all, const std::string& at);
+/// The union of one shape or more: of `what`, as "its pieces". Throws Refusal about `at` where
+/// OpenCASCADE fails.
+[[nodiscard]] LabelledShape fused(std::span<const LabelledShape> all, const std::string& at,
+                                  const std::string& what);
 
 /// One shape without another, or what both have in common. Throws Refusal.
 [[nodiscard]] LabelledShape combined(const LabelledShape& a, const LabelledShape& b,
