@@ -1,5 +1,5 @@
 #include <cstring>
-#include <limits>
+#include <utility>
 
 #include <pybind11/stl.h>
 
@@ -15,7 +15,6 @@ namespace dupin::python {
 namespace {
 
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 [[noreturn]] void refuse(const std::string& array, const std::string& what) {
   throw Error(Errc::invalid_argument, what, {}, array);
@@ -81,6 +80,18 @@ std::vector<Vec3> points_of(const py::object& object) {
   return points;
 }
 
+template <class Whole>
+void copy_indices_as(const py::array& array, const std::string& what, std::uint32_t* out) {
+  const auto numbers = py::array_t<Whole, py::array::c_style | py::array::forcecast>::ensure(array);
+  const Whole* const data = numbers.data();
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+    if (!std::in_range<std::uint32_t>(data[i])) {
+      refuse(what, "must be from 0 to 4294967295, not " + std::to_string(data[i]));
+    }
+    out[i] = static_cast<std::uint32_t>(data[i]);
+  }
+}
+
 // Copies whole numbers below 2^32 to `out`.
 void copy_indices(const py::array& array, const std::string& what, std::uint32_t* out) {
   if (py::isinstance<py::array_t<std::uint32_t>>(array) &&
@@ -88,14 +99,8 @@ void copy_indices(const py::array& array, const std::string& what, std::uint32_t
     std::memcpy(out, array.data(), array.nbytes());
     return;
   }
-  const Indices numbers = Indices::ensure(array);
-  const std::int64_t* const data = numbers.data();
-  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
-    if (data[i] < 0 || data[i] > std::numeric_limits<std::uint32_t>::max()) {
-      refuse(what, "must be from 0 to 4294967295, not " + std::to_string(data[i]));
-    }
-    out[i] = static_cast<std::uint32_t>(data[i]);
-  }
+  array.dtype().kind() == 'u' ? copy_indices_as<std::uint64_t>(array, what, out)
+                              : copy_indices_as<std::int64_t>(array, what, out);
 }
 
 std::vector<Triangle> triangles_of(const py::object& object) {
@@ -192,8 +197,14 @@ const MeshFormat& format_named(const std::string& format, const std::string& pat
 }
 
 void require_unit(const std::string& unit) {
-  if (!unit.empty() && unit != "um") {  // which meshes may have, and documents not
-    (void)unit_from(unit);
+  std::string known = "um";  // which meshes may have, and documents not
+  bool is_known = unit.empty() || unit == known;
+  for (const Unit own : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch, Unit::foot}) {
+    is_known = is_known || unit == symbol(own);
+    known += (own == Unit::foot ? " or " : ", ") + std::string(symbol(own));
+  }
+  if (!is_known) {
+    throw Error(Errc::invalid_argument, "must be " + known + ", not '" + unit + "'", {}, "unit");
   }
 }
 

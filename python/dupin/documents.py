@@ -33,9 +33,18 @@ def read_document(file: str | os.PathLike[str], *, radius: float | None = None, 
                   snap: float | None = None, bridge: float = 0.0, wall: float | None = None) -> Assembly:
     """The document in a file. A piping file (.pcf) or a graph (.swc, .graph) becomes an assembly, in millimetres:
     `radius` is of a graph's nodes that have none, `snap` and `bridge` are how far apart ends of a piping file may be,
-    `wall` the thickness of what says none; `keep_going` leaves out what is refused. Values and copies stay."""
+    `wall` the thickness of what says none; `keep_going` leaves out what is refused. Options that would
+    do nothing to such a file are refused. Values and copies stay."""
     text, path = _text_of(file)
-    if path.lower().endswith((b".pcf", b".swc", b".graph")):
+    graph, piping = path.lower().endswith((b".swc", b".graph")), path.lower().endswith(b".pcf")
+    given = {"radius": (radius is not None, graph), "keep_going": (keep_going, graph or piping),
+             "snap": (snap is not None, piping), "bridge": (bridge != 0, piping),
+             "wall": (wall is not None, graph or piping)}
+    if idle := [name for name, (is_given, is_of_use) in given.items() if is_given and not is_of_use]:
+        raise InvalidArgument(f"{', '.join(idle)} would do nothing: radius is for graphs, files named .swc or .graph, "
+                              "snap and bridge for piping files, named .pcf, wall and keep_going for both",
+                              where=os.fsdecode(path))
+    if graph or piping:
         return Assembly.from_json(_core.converted(text, path, radius, keep_going, snap, bridge, wall))
     _core.document_text(text, path)
     return Assembly.from_dict(json.loads(text))

@@ -110,6 +110,8 @@ ERRORS = [
      "/parts"),
     (lambda: dupin.build(reducer(), region="inside"), "InvalidArgument", "invalid_argument", "", "region"),
     (lambda: dupin.build(reducer(), most_triangles=10), "LimitExceeded", "limit_exceeded", "", ""),
+    (lambda: dupin.build(reducer(), most_triangles=0), "InvalidArgument", "invalid_argument", "", ""),
+    (lambda: dupin.certify(reducer(), most_triangles=0), "InvalidArgument", "invalid_argument", "", ""),
     (lambda: dupin.build("nothing.json"), "IoFailed", "io_failed", "", "nothing.json"),
     (lambda: dupin.build(5), "InvalidArgument", "invalid_argument", "", ""),
     (lambda: dupin.Assembly.from_json("{"), "ParseFailed", "parse_failed", "", "1:"),
@@ -224,6 +226,11 @@ def test_piping_files_and_graphs_become_documents():
     assert len(graph) > 3
     with pytest.raises(dupin.errors.InvalidArgument):
         dupin.build(EXAMPLES / "frame.graph")
+    for file, options in (("tee.json", {"wall": 3}), ("tee.json", {"radius": 3}), ("tee.json", {"snap": 1}),
+                          ("tee.json", {"bridge": 1}), ("tee.json", {"keep_going": True}), ("line.pcf", {"radius": 1}),
+                          ("frame.graph", {"radius": 2, "snap": 1}), ("frame.graph", {"radius": 2, "bridge": 1})):
+        with pytest.raises(dupin.errors.InvalidArgument, match=f"{file}: {list(options)[-1]} would do nothing"):
+            dupin.read_document(EXAMPLES / file, **options)
 
 
 def tool_says(*arguments, code=0):

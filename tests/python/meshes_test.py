@@ -235,8 +235,10 @@ def test_labels_and_units_are_looked_at(box, tmp_path):
     with pytest.raises(dupin.errors.InvalidArgument, match="one for each of the 12 triangles, not 3"):
         dupin.Mesh(points, triangles, np.zeros(3, int), ["a"])
     for write in (dupin.as_solid(points, triangles).write, lambda file, unit: dupin.write_mesh(file, box(), unit=unit)):
-        with pytest.raises(dupin.errors.InvalidArgument, match="foo"):
+        with pytest.raises(dupin.errors.InvalidArgument, match="um, mm, cm, m, in or ft, not 'foo'"):
             write(tmp_path / "a.off", unit="foo")
+    with pytest.raises(dupin.errors.InvalidArgument, match="not 9223372036854775811"):
+        dupin.as_mesh(points, triangles.astype(np.uint64) + np.uint64(2**63 + 3))
     assert list(tmp_path.iterdir()) == []
 
 

@@ -46,7 +46,13 @@ struct Limit {
   }
 };
 
-Limit limit_of(std::size_t most) { return {double(most), kPairsPerTriangle * double(most)}; }
+Limit limit_of(std::size_t most) {
+  if (most == 0) {
+    throw Error(Errc::invalid_argument,
+                "the most triangles of all parts must be at least 1, not 0");
+  }
+  return {double(most), kPairsPerTriangle * double(most)};
+}
 
 struct Estimate {
   MeshCost all, worst;  // worst: of the part that asks for most

@@ -152,6 +152,13 @@ TEST(BuildDistricts, the_limit_is_that_of_all_triangles) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded);
   }
   EXPECT_NO_THROW((void)build(crosses(1), options));
+  options.most_triangles = 0;
+  try {
+    (void)build(crosses(1), options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+  }
 }
 
 TEST(BuildDistricts, errors_name_the_place_in_the_whole_document) {
