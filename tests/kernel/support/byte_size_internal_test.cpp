@@ -1,6 +1,6 @@
-#include "support/byte_size.h"
-
 #include <gtest/gtest.h>
+
+#include "support/byte_size.h"
 
 namespace dupin::support {
 namespace {
