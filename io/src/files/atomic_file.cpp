@@ -376,7 +376,6 @@ void AsideFile::commit() {
   sync_directory(target_);
 }
 
-// Asked again after it has let the process go on, it takes the rest away.
 bool abandon_files() noexcept {
   Exclusive::acquire();
   if (the_register != nullptr) {

@@ -63,7 +63,8 @@ class AsideFile {
 /// For the handler of a signal that is to end the process, in whatever thread it runs: calls only
 /// what POSIX allows there. Either removes every file that is aside, after which no file takes its
 /// place any more and the process has to end at once; or, if a file has taken its place, does
-/// nothing and returns false, so that the process can go on and say so.
+/// nothing and returns false, so that the process can go on and say so. Asked again, it removes the
+/// others all the same.
 [[nodiscard]] bool abandon_files() noexcept;
 
 /// Where a file of this name is, or would be: at the end of a chain of links.
