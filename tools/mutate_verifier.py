@@ -245,6 +245,7 @@ KNOWN = {
     ("hub_claims.cpp", "square(r1)).lower >= 0)", " >= "): POINT,
     ("hub_claims.cpp", "!(sphere.radius[0].lower >= 0)", " >= "): POINT,
     ("hub_claims.cpp", ".lower >= 0;", " >= "): SLACK,
+    ("hub_claims.cpp", "normal) + reach).upper <= 0;", " < "): SLACK,
     ("hub_claims.cpp", "s_root.is_positive() || t_root.is_positive();", " || "):
         "what is negative times what is not has no root then: the line, which is not positive",
     ("hub_claims.cpp", "Interval(depth.rounded_outward().lower)", ".lower"): ROUNDING,

@@ -207,7 +207,29 @@ TEST(HubClaims, arms_begin_outside_where_the_nearest_point_of_the_disc_is) {
   EXPECT_FALSE(backwards({{-3, 4.999, 0}, 5}));
   EXPECT_TRUE(backwards({{0, 3.001, 0}, 2}));
   EXPECT_FALSE(backwards({{0, 2.999, 0}, 2}));
+  EXPECT_FALSE(backwards({{0, 3.1, 0}, 2.1})) << "what touches";
   EXPECT_FALSE(begins_outside(test::ball({0, 0, 0}, 1), {{9, 0, 0}, 1})) << "no disc";
+}
+
+// All of the disc is in the hub. By how much it is ahead of the last circle is less than rounding.
+TEST(HubClaims, arms_begin_in_front_of_the_last_circle_by_however_little) {
+  for (double x = .1; x < 2; x += .1) {
+    const double ahead = std::nextafter(x, 9);
+    EXPECT_FALSE(begins_outside(test::solid(straight({{ahead, 0, 0}, 1}, {{9, 0, 0}, 1}),
+                                            straight({{-8, 9, 0}, 1}, {{x, 9, 0}, 1})),
+                                {{x, 0, 0}, 20}))
+        << x;
+  }
+}
+
+TEST(HubClaims, arms_without_a_first_or_a_last_disc_begin_nowhere) {
+  const CyclidePiece pipe = straight({{-8, 0, 0}, 1}, {{-2, 0, 0}, 1});
+  CyclidePiece none = pipe;
+  none.tangent.r = 2;  // spheres that hold each other
+  const Sphere far{{0, 90, 0}, 1};
+  EXPECT_TRUE(begins_outside(test::solid(pipe, pipe), far));
+  EXPECT_FALSE(begins_outside(test::solid(none, pipe), far));
+  EXPECT_FALSE(begins_outside(test::solid(pipe, none), far));
 }
 
 // Corners of a regular polygon on a great circle of the hub, with its middle the deepest.

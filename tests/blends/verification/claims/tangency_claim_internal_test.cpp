@@ -63,6 +63,7 @@ TEST(TangencyClaim, is_near_if_all_of_the_piece_is) {
   EXPECT_TRUE(is_near({{}, .001, .02, {}}, ring, unknown, .0221));
   EXPECT_FALSE(is_near({{}, .001, .02, {}}, ring, unknown, .0219));
   EXPECT_TRUE(is_near({{}, 0, .02, {}}, ring, 1e300, .0201));
+  EXPECT_FALSE(is_near({{}, 0x1p-60, 1, {}}, ring, 2, 1)) << "by less than rounding";
 }
 
 // A certificate may state any tolerance.
