@@ -53,6 +53,8 @@ AGAIN = "what is stopped is asked again in its turn"
 NOT_ENDED = "a block that is asked for has not ended"
 TO_THE_UNIT = "work ahead is bounded, but not to the last unit"
 IRRATIONAL = "of doubles and pi, 128 bits tell which is larger"
+NEARLY_ROUND = "semi-axes of arcs are admitted as equal but for rounding"
+NO_SHARE = "a share that is not positive is refused, be it 0 or less"
 LENGTH = "what arcs are found to move along has a length"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
@@ -100,6 +102,22 @@ KNOWN = {
     ("pair_claims.cpp", "!(disc->radius[0].lower > 0)", ".upper"): REGULAR,
     ("pair_claims.cpp", "radius = std::max(radius.upper, disc->radius[0].upper);", ".lower"):
         "the largest radius so far is one number; tests notice if the other is the lower",
+    ("pair_claims.cpp", "magnitude(), max(a, b).lower}", ".lower"): NEARLY_ROUND,
+    ("pair_claims.cpp", "magnitude(), min(a, b).upper}", " min("): NEARLY_ROUND,
+    ("pair_claims.cpp", "room->difference) / room->largest)", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "return first || last ? numbers::norm(", " || "):
+        "discs at ends are known where those of all cells are, and those along lines and arcs",
+    ("pair_claims.cpp", "return first && last ? numbers::norm(", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "return loss.lower;", ".lower"): ROUNDING,
+    ("pair_claims.cpp", "least = std::min(least, rest.", " >= "): NO_SHARE,
+    ("pair_claims.cpp", "rest.upper > 0 ? (rest / speed).lower : 0", ".upper"): NO_SHARE,
+    ("pair_claims.cpp", "rest.lower > 0 ? (rest / speed).upper : 0", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "if (!(share.upper > 0 &&", ".upper"): "a share is one number",
+    ("pair_claims.cpp", "chord(way[i]) - loss).lower >= 0", " >= "): SLACK,
+    ("pair_claims.cpp", "chord(way[i]) - loss).upper > 0", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "if (!(shares.at(i) >= 0)) {", " >= "): NO_SHARE,
+    ("pair_claims.cpp", "std::max(radius.lower, tube.radius_range(", ".lower"):
+        "the largest radius so far is one number",
     ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
     ("pair_claims.cpp", "phi.upper < 1", ".lower"): ROUNDING,  # phi is one number by then
     ("pair_claims.cpp", ".lower > 0;", ".upper"): ROUNDING,  # all that it is made of are single numbers

@@ -226,5 +226,31 @@ TEST(ArcLemma, counts_how_far_arcs_are_off_as_they_advance) {
   EXPECT_FALSE(are_apart(test::solid(pipe_to(4, 1)), back, {kEndToStart}, {0, 1}, {0, 1}));
 }
 
+// The first advances by 1 along its discs' normal, and by 9 to the side, fastest where it begins.
+TEST(ClearanceClaim, of_joined_parts_is_about_discs_that_move_askew) {
+  const RationalRingedSurface askew{
+      {Vec3(-1, -9, 0), Vec3(-.7, 0, 0), Vec3(-.35, 0, 0), Vec3(0, 0, 0)},
+      {1, 1, 1, 1},
+      {{1, 0, 0, 0}, {1, 0, 0, 0}}};
+  const Solid first = test::solid(RationalRingedTube{
+      {Vec3(-1, -9, 0), -Vec3::UnitX(), 1}, {Vec3(0, 0, 0), Vec3::UnitX(), 1}, askew});
+  const ParameterInterval all{0, 1};
+  const auto apart = [&](double gap) {
+    return are_apart(first, test::solid(test::cylinder({-gap, 0, 0}, {30, 0, 0}, 1)), {kEndToStart},
+                     all, all);
+  };
+  EXPECT_TRUE(apart(.125));
+  EXPECT_FALSE(apart(1.1)) << "it begins behind all of the first";
+}
+
+// Its discs meet on the axis of the bend.
+TEST(EmbeddedClaim, of_a_piece_that_does_not_advance_does_not_follow) {
+  RingedSurface bent = test::elbow_of_bezier(4, .75, 1);
+  for (const auto& [radius, holds] : {std::pair{1., true}, {5., false}}) {
+    bent.radius = BezierRadius{{radius, 1.25 * radius, radius}};  // nothing follows by lemma 1
+    EXPECT_EQ(is_embedded(test::solid(bent), kWhole), holds);
+  }
+}
+
 }  // namespace
 }  // namespace dupin::verification
