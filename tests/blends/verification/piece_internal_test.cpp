@@ -152,6 +152,23 @@ TEST(Piece, of_a_cone_tells_how_far_it_is_from_a_quadric) {
   other.center.y() += 1.001;
   EXPECT_TRUE(std::isinf(from(other).deviation)) << "further off than the cone is wide";
   EXPECT_TRUE(std::isinf(difference_from(quadric, Tube(test::elbow(4, 1.5, 1))).offset));
+  RingedSurface bulge = cone;
+  bulge.radius = BezierRadius{{1, 3, 2}};
+  EXPECT_TRUE(std::isinf(difference_from(quadric, Tube(bulge)).offset))
+      << "its ends are the cone's";
+}
+
+// By the formula in docs/certificate_format.md, with the radius that is largest on either side.
+TEST(Piece, of_a_cone_that_leans_is_further_from_a_quadric_the_wider_it_is) {
+  const double lean = .1, k = std::sin(lean) * (std::sin(lean) + .25);
+  const double off = 1 - std::cos(lean) + 4 * std::sin(lean);  // where it begins
+  const Vec3 axis(std::cos(lean), std::sin(lean), 0);
+  const RingedSurface grows = test::cone({0, 0, 0}, {4, 0, 0}, 1, 2),
+                      falls = test::cone({0, 0, 0}, {4, 0, 0}, 3, 2);
+  EXPECT_NEAR(difference_from({Vec3(4, 0, 0), axis, 2, .25}, Tube(grows)).offset,
+              (off + 2 * k) / (1 - k), 1e-13);
+  EXPECT_NEAR(difference_from({Vec3(4, 0, 0), axis, 2, -.25}, Tube(falls)).offset,
+              (off + 3 * k) / (1 - k), 1e-13);
 }
 
 PeArc bent_arc() {
