@@ -191,10 +191,10 @@ TEST_F(ArgumentChecks, many_documents_do_not_become_themselves) {
   std::filesystem::create_directory(folder_.path() / "out");
   folder_.write("out/t.stl", text_);
   const ProcessResult result = dupin({"build", "out/t.stl", "d.json", "--out-dir", "out"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.out, HasSubstr("--output would take the place of what is read: "));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("'out/t.stl' would take the place of 'out/t.stl'"));
   EXPECT_EQ(folder_.read("out/t.stl"), text_);
-  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out/d.stl"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/d.stl"));
 }
 
 TEST_F(ArgumentChecks, new_versions_are_written_in_place) {
