@@ -285,8 +285,9 @@ class ShellFinder {
   void find_own_lids(std::vector<Pair>& pairs) {
     place_sets();
     std::vector<Boundary> all = find_boundaries();
-    std::ranges::sort(all, {},
-                      [this](const Boundary& end) { return std::tuple(end.edges, place(end)); });
+    std::ranges::sort(all, [this](const Boundary& a, const Boundary& b) {
+      return a.edges != b.edges ? a.edges < b.edges : place(a) < place(b);
+    });
     for (auto begin = all.begin(); begin != all.end();) {
       const auto end = std::find_if(
           begin, all.end(), [&](const Boundary& other) { return other.edges != begin->edges; });

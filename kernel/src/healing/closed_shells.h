@@ -30,15 +30,16 @@ enum class Wedges : std::uint8_t { material, voids };
 /// such, one by one. What then has as many faces one way as the other at an edge closes itself
 /// there. Of others at the edge, copies of one face do not close each other unless they have to,
 /// which may leave only one face that can; else what ends along the same edges as only one other
-/// closes it; else of bodies that end along the same edges as copies of one set of faces each has
-/// one of these; else what can be closed there by copies of the same faces only is closed by one of
-/// these; and what that leaves open is paired by the exact angles around the edge, level by
-/// level of winding: above the middle level as the surfaces of the wedges that are wound around
-/// more often, below it of those that are less often, and at it likewise by the sign of the volume
-/// of all that hangs together, so that turning everything over changes nothing. What lies on each
-/// other there is in layers, the same at all edges. So what crosses itself along edges may become
-/// shells of which one is within the other, where others that cross would do as well. For voids,
-/// levels pair up the other way: what is wound around less often has a surface of its own.
+/// closes it; else of bodies that end along the same edges as copies of one set of faces, if there
+/// are as many, each has one of these; else what can be closed there by copies of the same faces
+/// only is closed by one of these; and what that leaves open is paired by the exact angles around
+/// the edge, level by level of winding: above the middle level as the surfaces of the wedges that
+/// are wound around more often, below it of those that are less often, and at it likewise by the
+/// sign of the volume of all that hangs together, so that turning everything over changes nothing.
+/// What lies on each other there is in layers, the same at all edges. So what crosses itself along
+/// edges may become shells of which one is within the other, where others that cross would do as
+/// well. For voids, levels pair up the other way: what is wound around less often has a surface of
+/// its own.
 ///
 /// O(n), and O(n log n) where angles are needed.
 [[nodiscard]] ClosedShells closed_shells(std::span<const Vec3> points,
