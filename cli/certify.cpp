@@ -15,6 +15,7 @@
 #include "dupin/blends/certificate.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/printable.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
@@ -264,7 +265,7 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
                                                .most_triangles = arguments.most_triangles,
                                                .progress = line->callback()});
   line.reset();
-  certificate.document = one_line(certificate.document);  // a name, which has no controls
+  certificate.document = printable(certificate.document);  // a name, which has no controls
   certificate.document_sha256 = sha256(input.bytes);
   write_text(arguments.output, certificate_json(certificate));
   print_summary(report_stream(arguments.output), certificate, common);
@@ -283,7 +284,7 @@ ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& commo
   if (!arguments.document.empty()) {
     const Input about = read_input(arguments.document);
     require_about(certificate, about.bytes, read_document(about, arguments.source).assembly);
-    certificate.document = one_line(about.name);
+    certificate.document = printable(about.name);
   }
   {
     ProgressLine line(common.quiet);

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "document.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/kernel/printable.h"
 #include "input.h"
 #include "length.h"
 #include "report_text.h"
@@ -64,7 +65,7 @@ void print_document(const Document& document) {
   report.piping = document.piping;
   print_source(std::cout, report);
   for (const Part& part : assembly.parts) {
-    std::cout << "  " << one_line(part.name) << ": " << kind(part.shape) << '\n';
+    std::cout << "  " << printable(part.name) << ": " << kind(part.shape) << '\n';
   }
 }
 

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/printable.h"
 
 namespace dupin::cli {
 namespace {
@@ -88,7 +89,7 @@ void print_contacts(std::ostream& out, const std::vector<Contact>& contacts) {
     }
     std::string_view separator = ": ";
     for (const std::string& name : contact.names) {
-      out << separator << (name.empty() ? "(no name)" : one_line(name));
+      out << separator << (name.empty() ? "(no name)" : printable(name));
       separator = ", ";
     }
     out << '\n';
@@ -177,48 +178,11 @@ std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-namespace {
-
-// Of the control character that it begins with, if any: those of ASCII and U+0080 to U+009F, and
-// what breaks lines or turns the direction of text, U+2028 to U+202E and U+2066 to U+2069.
-std::size_t control_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  if (byte(0) < 0x20 || byte(0) == 0x7F) {
-    return 1;
-  }
-  if (byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) < 0xA0) {
-    return 2;
-  }
-  const bool turns = byte(0) == 0xE2 && ((byte(1) == 0x80 && byte(2) >= 0xA8 && byte(2) <= 0xAE) ||
-                                         (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
-  return turns ? 3 : 0;
-}
-
-}  // namespace
-
-std::string one_line(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string line;
-  while (!text.empty()) {
-    const std::size_t control = control_length(text), length = std::max(control, std::size_t{1});
-    for (const char c : text.substr(0, length)) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (control > 0) {
-        line += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
-      } else {
-        line += c;
-      }
-    }
-    text.remove_prefix(length);
-  }
-  return line;
-}
+namespace {}  // namespace
 
 void print_row(std::ostream& out, std::string_view label, std::string_view value) {
   const std::size_t gap = std::max<std::size_t>(kLabelWidth, label.size() + 1) - label.size();
-  out << label << std::string(gap, ' ') << one_line(value) << '\n';
+  out << label << std::string(gap, ' ') << printable(value) << '\n';
 }
 
 std::string placement_text(bool is_exact, double largest_move, std::string_view unit) {

@@ -23,9 +23,6 @@ namespace dupin::cli {
 /// What stands for measures that were not taken, see is_measured().
 constexpr const char* kUnknown = "not known: points are out of range";
 
-/// A text as one line: control characters, which a terminal would obey, as \xNN.
-[[nodiscard]] std::string one_line(std::string_view text);
-
 /// "label               value" and a line break; the value is one line.
 void print_row(std::ostream& out, std::string_view label, std::string_view value);
 

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string>
 
+#include "dupin/kernel/printable.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -45,11 +46,11 @@ void print_joints(std::ostream& out, const PcfReport& piping, JointState state) 
   }
   for (const PipingJoint& joint : joints) {
     if (joint.state == state) {
-      out << "  " << one_line(joint.components[0]) << " to " << one_line(joint.components[1])
+      out << "  " << printable(joint.components[0]) << " to " << printable(joint.components[1])
           << " (lines " << joint.lines[0] << ", " << joint.lines[1]
           << "): " << number(joint.distance) << " mm apart, step " << number(joint.step)
           << " mm, kink " << number(joint.kink) << " rad"
-          << (joint.part.empty() ? "" : "; part " + one_line(joint.part)) << '\n';
+          << (joint.part.empty() ? "" : "; part " + printable(joint.part)) << '\n';
     }
   }
 }

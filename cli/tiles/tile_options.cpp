@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
@@ -34,17 +33,6 @@ std::vector<std::size_t> even_ends(std::size_t tiles, std::size_t count) {
   return ends;
 }
 
-/// Two digits, rounded up: what it says would do.
-std::string shown_size(double bytes) {
-  constexpr std::array<std::pair<double, const char*>, 4> kUnits{
-      {{1e12, " TB"}, {1e9, " GB"}, {1e6, " MB"}, {1e3, " kB"}}};
-  const double digit = std::pow(10, std::floor(std::log10(std::max(bytes, 1e3))) - 1);
-  const double rounded = std::ceil(std::max(bytes, 1e3) / digit) * digit;
-  const auto* const unit =
-      std::ranges::find_if(kUnits, [&](const auto& u) { return rounded >= u.first; });
-  return decimal(rounded / unit->first, 3) + unit->second;
-}
-
 std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divided) {
   const auto most = static_cast<double>(memory);
   const auto largest = std::ranges::max_element(divided.bytes);
@@ -54,7 +42,7 @@ std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divide
     throw Error(Errc::limit_exceeded,
                 "what hangs together at " + decimal(place) + " has about " +
                     decimal(divided.triangles[i], 2) + " triangles, which need at least " +
-                    shown_size(*largest) + "; give --memory more" + divided.remedy,
+                    byte_size(*largest) + "; give --memory more" + divided.remedy,
                 {}, divided.source);
   }
   std::vector<std::size_t> ends;

@@ -41,7 +41,7 @@ TEST(ReportText, values_are_one_line_whatever_is_in_them) {
   std::ostringstream more;
   print_row(more, "label", "\xc2\x85\xc2\xa0\u202e\u202f\u2069 \xe2");
   EXPECT_EQ(more.str(),
-            "label                \\xc2\\x85\xc2\xa0\\xe2\\x80\\xae\u202f\\xe2\\x81\\xa9 \xe2\n");
+            "label                \\xc2\\x85\xc2\xa0\\xe2\\x80\\xae\u202f\\xe2\\x81\\xa9 \\xe2\n");
   OutputReport report;
   report.contacts = {{Contact::Kind::vertex, Vec3::Zero(), Vec3::Zero(), {"a\nb"}}};
   std::ostringstream output;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dupin/kernel/error.h"
-#include "numbers/control_character.h"
+#include "dupin/kernel/printable.h"
 
 namespace dupin::assembly {
 namespace {
@@ -18,7 +18,7 @@ void require_part_name(const Assembly& assembly, std::uint32_t part) {
   if (name.empty() || name.find('.') != std::string::npos) {
     throw fault("a part's name must not be empty and not contain a dot");
   }
-  if (name.front() == ' ' || name.back() == ' ' || numbers::has_controls(name)) {
+  if (name.front() == ' ' || name.back() == ' ' || has_controls(name)) {
     throw fault("a part's name must be one line, without control characters or blanks around it");
   }
 }
@@ -29,7 +29,7 @@ void require_component(const Assembly& assembly, std::uint32_t part) {
   const std::pair<std::string, const std::string&> texts[] = {{"name", component.name},
                                                               {"kind", component.kind}};
   for (const auto& [key, text] : texts) {
-    if (numbers::has_controls(text)) {
+    if (has_controls(text)) {
       throw Error(Errc::invalid_argument,
                   "a component's " + key + " must have no control characters",
                   assembly.parts[part].name, document_place(assembly, part) + "/component/" + key);
@@ -41,7 +41,7 @@ void require_component(const Assembly& assembly, std::uint32_t part) {
 
 void require_printable_names(const Assembly& assembly) {
   for (const auto& [name, other] : assembly.patches) {
-    if (numbers::has_controls(other)) {
+    if (has_controls(other)) {
       throw Error(Errc::invalid_argument, "a patch's name must have no control characters", {},
                   document_place(assembly, "/patches/" + name));
     }

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
-#include "numbers/control_character.h"
+#include "dupin/kernel/printable.h"
 #include "verification/piece.h"
 
 namespace dupin::verification {
@@ -225,6 +225,6 @@ bool is_point(const Vec3& point) {
 
 bool is_bound(double number) { return number >= 0 && number <= Limits::kNumber; }
 
-bool is_name(const std::string& text) { return !numbers::has_controls(text); }
+bool is_name(const std::string& text) { return !has_controls(text); }
 
 }  // namespace dupin::verification

@@ -8,7 +8,6 @@
 
 #include <CGAL/Mpzf.h>
 
-#include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/source.h"
 #include "mesh/exact_points.h"

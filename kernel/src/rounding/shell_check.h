@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
 #include "mesh/exact_mesh.h"
 

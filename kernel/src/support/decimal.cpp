@@ -1,8 +1,10 @@
 #include "dupin/kernel/decimal.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace dupin {
 namespace {
@@ -53,6 +55,17 @@ std::string decimal_at_least(double value) {
 std::string decimal(const Vec3& point) {
   return "(" + decimal(point.x(), kPlaceDigits) + ", " + decimal(point.y(), kPlaceDigits) + ", " +
          decimal(point.z(), kPlaceDigits) + ")";
+}
+
+std::string byte_size(double bytes) {
+  constexpr std::array<std::pair<double, const char*>, 4> kUnits{
+      {{1e12, " TB"}, {1e9, " GB"}, {1e6, " MB"}, {1e3, " kB"}}};
+  const double size = std::max(bytes, 1e3);
+  const double digit = std::pow(10, std::floor(std::log10(size)) - 1);
+  const double rounded = std::ceil(size / digit) * digit;
+  const auto* const unit =
+      std::ranges::find_if(kUnits, [&](const auto& each) { return rounded >= each.first; });
+  return decimal(rounded / unit->first, 3) + unit->second;
 }
 
 void append_decimal(std::string& text, double value) { append(text, value); }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dupin/kernel/printable.h"
 #include "support/shortened.h"
 
 namespace dupin {
@@ -16,7 +17,7 @@ std::string sentence(const std::string& message, const std::string& part,
   if (!part.empty()) {
     text += "'" + support::shortened(part) + "': ";
   }
-  return support::printable(text + support::with_short_quotes(message));
+  return printable(text + support::with_short_quotes(message), "\n\t");
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <boost/locale/utf.hpp>
-
 namespace dupin::support {
 namespace {
 
@@ -80,31 +78,6 @@ std::string with_short_keys(std::string_view place) {
     at = next;
   }
   return text;
-}
-
-std::string printable(std::string_view text) {
-  using Utf8 = boost::locale::utf::utf_traits<char>;
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string result;
-  for (const char* at = text.data(); at < text.data() + text.size();) {
-    const char* const from = at;
-    const auto point = Utf8::decode(at, text.data() + text.size());
-    const bool is_point = boost::locale::utf::is_valid_codepoint(point);
-    at = is_point ? at : from + 1;
-    // Or breaks lines, or turns the direction of the text behind it.
-    const bool is_control =
-        (point < 0x20 && point != '\n' && point != '\t') || (point >= 0x7f && point < 0xa0) ||
-        (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069);
-    if (is_point && !is_control) {
-      result.append(from, at);
-      continue;
-    }
-    for (const char c : std::string_view(from, static_cast<std::size_t>(at - from))) {
-      const auto byte = static_cast<unsigned char>(c);
-      result += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
-    }
-  }
-  return result;
 }
 
 }  // namespace dupin::support

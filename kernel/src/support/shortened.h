@@ -17,8 +17,4 @@ constexpr std::size_t kShownBytes = 60;
 /// A place, "FILE#/KEY/KEY", whose keys are shortened each; files have their names.
 [[nodiscard]] std::string with_short_keys(std::string_view place);
 
-/// Control characters, which terminals obey and at which C strings end, and bytes that are no
-/// UTF-8, as \x and two digits; but for ends of lines and tabulators.
-[[nodiscard]] std::string printable(std::string_view text);
-
 }  // namespace dupin::support

@@ -16,7 +16,6 @@
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "support/bulk_vector.h"
-#include "support/byte_size.h"
 #include "support/none.h"
 #include "tiles/first_corners.h"
 #include "tiles/shell_parts.h"
@@ -155,8 +154,8 @@ class TiledCheck {
       if (tree_.size() < most || largest > kHardlyLess * before) {
         throw Error(Errc::limit_exceeded, "the largest of " + std::to_string(tree_.size()) +
                                               " tiles has " + decimal(largest) +
-                                              " triangles, which need " +
-                                              support::byte_size(needed) + "; give --memory more");
+                                              " triangles, which need " + byte_size(needed) +
+                                              "; give --memory more");
       }
       before = largest;
     }

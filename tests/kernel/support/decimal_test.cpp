@@ -83,5 +83,13 @@ TEST(DecimalText, is_appended_in_the_precision_of_its_type) {
   EXPECT_EQ(text, "x 0.1 0.10000000149011612 4294967295");
 }
 
+TEST(DecimalText, of_bytes_is_in_the_unit_that_suits_it_and_rounded_up) {
+  EXPECT_EQ(byte_size(1), "1 kB");
+  EXPECT_EQ(byte_size(850'629), "860 kB");
+  EXPECT_EQ(byte_size(999'999), "1 MB");
+  EXPECT_EQ(byte_size(4e9), "4 GB");
+  EXPECT_EQ(byte_size(1.21e13), "13 TB");
+}
+
 }  // namespace
 }  // namespace dupin

@@ -29,6 +29,9 @@ constexpr int kMessageDigits = 6, kPlaceDigits = 9;
 /// "(x, y, z)", each to kPlaceDigits digits.
 [[nodiscard]] std::string decimal(const Vec3& point);
 
+/// "860 kB", "1.3 GB": two digits, rounded up, as what it says has to do; at least 1 kB.
+[[nodiscard]] std::string byte_size(double bytes);
+
 /// Appends the shortest decimal that reads back to `value`, a number of the same type.
 void append_decimal(std::string& text, double value);
 void append_decimal(std::string& text, float value);

@@ -9,7 +9,6 @@
 
 #include <gmpxx.h>
 
-#include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/source.h"
 
