@@ -48,7 +48,7 @@ class Router {
 
   Route run(const std::vector<Waypoint>& given) {
     given_ = given;
-    Trial first = tried(given, spline_pipe(from_, given, to_));
+    Trial first = given.empty() ? unguided() : tried(given, spline_pipe(from_, given, to_));
     if (first.proved.spot) {
       first = searched(std::move(first));
       tighten(first);
@@ -65,6 +65,21 @@ class Router {
         length(result.through) / size_ + 0.2 * double(result.through.size() - given_.size()) +
         (result.proved.spot ? 1 + (clearance_ - result.proved.spot->distance) / size_ : 0);
     return result;
+  }
+
+  // The spline without points, or straight pipes and elbows where that would fold.
+  [[nodiscard]] Trial unguided() {
+    try {
+      return tried({}, spline_pipe(from_, {}, to_));
+    } catch (const Error& error) {
+      auto pipe = error.code() == Errc::irregular_surface
+                      ? polyline_pipe(from_, to_, obstacles_, clearance_)
+                      : std::nullopt;
+      if (!pipe) {
+        throw;
+      }
+      return tried({}, std::move(*pipe));
+    }
   }
 
   // None where the pipe would fold.

@@ -20,11 +20,11 @@ struct Route {
 /// and through as many points more as it takes to keep at least `clearance` from all obstacles.
 /// Points are added where the pipe comes nearest, off the obstacle in several directions, the most
 /// promising way first; what is found is pulled tight. Their radii are between the neighbours'.
-/// Where that fails and no points are given, straight pipes and elbows are tried (polyline.h),
-/// which have no such points. Deterministic.
+/// Where that fails, or the pipe folds without them, and no points are given, straight pipes and
+/// elbows are tried (polyline.h), which have no such points. Deterministic.
 ///
 /// Throws Error{infeasible_blend} with the tightest spot of the best way if none is found, and what
-/// spline_pipe throws of the way that is given, if it is not regular.
+/// spline_pipe throws of the way that is given, if it is not regular and nothing else is found.
 [[nodiscard]] Route route(const Ring& from, const std::vector<Waypoint>& through, const Ring& to,
                           std::span<const NamedObstacle> obstacles, double clearance);
 

@@ -88,6 +88,34 @@ TEST(Route, goes_through_what_it_is_told_to) {
   }));
 }
 
+bool folds(const Ring& from, const Ring& to) {
+  try {
+    (void)spline_pipe(from, {}, to);
+    return false;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
+    return true;
+  }
+}
+
+// There and back, side by side: the spline without points turns too sharply.
+TEST(Route, is_straight_pipes_and_elbows_where_the_spline_folds) {
+  const std::vector<NamedObstacle> ball{{"ball", {{9, 1, 0}, {}, 1}}};
+  int folded = 0;
+  for (const double apart : {1.8, 2.2, 2.6, 3.0}) {
+    const Ring back{{0, apart, 0}, Vec3::UnitX(), 0.5};
+    folded += folds(kFrom, back) ? 1 : 0;
+    const Route found = route(kFrom, {}, back, ball, 0.1);
+    EXPECT_GE(sampled_clearance(found, ball), found.clearance - 1e-9);
+    for (const RingedSurface& piece : found.pipe) {
+      EXPECT_GT(regularity(piece).lower, 0);
+    }
+    EXPECT_EQ(found.pipe.front().start, flipped(kFrom));
+    EXPECT_EQ(found.pipe.back().end, flipped(back));
+  }
+  EXPECT_GT(folded, 0);
+}
+
 TEST(Route, is_found_or_refused_in_random_scenes) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> along(1.5, 8.5), aside(-2, 2), size(0.2, 1);
