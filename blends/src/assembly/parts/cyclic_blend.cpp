@@ -25,12 +25,14 @@ Chain way_round(const Ring& from, const Ring& to,
     if (!folds && error.code() != Errc::invalid_argument) {
       throw;
     }
-    throw Error(fault.code(),
-                fault.message() + "; a spline was to go round in its place, but " +
-                    (folds ? "the one from end to end, which that begins with, folds"
-                           : "there is none: " + error.message()) +
-                    "; what may help is less clearance, what is in the way elsewhere, ends moved "
-                    "or turned, or a spline with points of its own in \"through\"");
+    throw Error(
+        fault.code(),
+        fault.message() + "; a spline was to go round in its place, but " +
+            (folds ? "the one from end to end, which that begins with, folds, and no straight "
+                     "pipes and elbows were found either"
+                   : "there is none: " + error.message()) +
+            "; what may help is less clearance, what is in the way elsewhere, ends moved "
+            "or turned, or a spline with points of its own in \"through\"");
   }
 }
 

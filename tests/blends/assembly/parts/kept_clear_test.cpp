@@ -45,8 +45,8 @@ TEST(KeptClear, a_cyclic_blend_proposes_no_speeds_that_lead_into_what_it_avoids)
   const std::string followed = blend("187.1", "108.4");
   EXPECT_THAT(followed, HasSubstr("it does not keep 1.18 from 'avoid/0'"));
   EXPECT_THAT(followed, HasSubstr("a spline was to go round in its place, but the one from end to "
-                                  "end, which that begins with, folds; what may help is less "
-                                  "clearance"));
+                                  "end, which that begins with, folds, and no straight pipes and "
+                                  "elbows were found either; what may help is less clearance"));
   EXPECT_THAT(followed, testing::Not(HasSubstr("its points")));
 }
 
