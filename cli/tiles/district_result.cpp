@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 18\n";
+constexpr std::string_view kMark = "dupin district 19\n";
 
 /// Numbers one after the other: a structure may have bytes between them, which may be any.
 template <class Item>

@@ -245,6 +245,21 @@ bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& rule) {
   return after > before && mesh.flip(face, edge, rule);
 }
 
+/// Collapses short edges of the faces, and flips those that are low still.
+void thicken_once(EditedMesh& mesh, double reach, const Faces& faces) {
+  const EditRule rule{FaultRule::none, reach};
+  for (const auto& [row, length, a, b] : short_edges(mesh, faces, reach, kRow)) {
+    if (!mesh.faces(a).empty() && !mesh.faces(b).empty() && !mesh.collapse(a, b, rule)) {
+      mesh.collapse(b, a, rule);
+    }
+  }
+  for (const std::uint32_t f : faces) {
+    if (mesh.alive(f) && height(mesh, mesh.triangle(f)) <= reach) {
+      flip_low(mesh, f, rule);
+    }
+  }
+}
+
 /// The faces that are not as in the mesh that is rounded only.
 support::BulkVector<std::uint8_t> differing_faces(const EditedMesh& mesh,
                                                   const BrokenMesh& original) {
@@ -322,19 +337,9 @@ bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double re
 }
 
 void thicken(EditedMesh& mesh, double reach, Faces faces) {
-  const EditRule rule{FaultRule::none, reach};
   while (!faces.empty()) {
     static_cast<void>(mesh.take_edited());
-    for (const auto& [row, length, a, b] : short_edges(mesh, faces, reach, kRow)) {
-      if (!mesh.faces(a).empty() && !mesh.faces(b).empty() && !mesh.collapse(a, b, rule)) {
-        mesh.collapse(b, a, rule);
-      }
-    }
-    for (const std::uint32_t f : faces) {
-      if (mesh.alive(f) && height(mesh, mesh.triangle(f)) <= reach) {
-        flip_low(mesh, f, rule);
-      }
-    }
+    thicken_once(mesh, reach, faces);
     faces = mesh.take_edited();
   }
 }
@@ -382,7 +387,8 @@ bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
 }
 
 bool repair_further(EditedMesh& mesh, const Faces& broken, const RepairLimits& limits) {
-  thicken(mesh, limits.reach, with_neighbours(mesh, broken));
+  // Not what that edits, too: with a reach of pipes' own edges it would go on all over them.
+  thicken_once(mesh, limits.reach, with_neighbours(mesh, broken));
   return mend(mesh, limits.lattice, limits.reach, limits.is_thorough);
 }
 

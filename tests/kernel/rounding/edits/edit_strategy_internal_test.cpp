@@ -109,6 +109,33 @@ TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
   }
 }
 
+// All edges around the tube are shorter than the reach.
+TEST_F(Edit, repairs_further_near_the_broken_faces_only) {
+  shape = test::tube(1, 0, 1, 64);
+  labels.assign(shape.triangles.size(), 0);
+  representatives.resize(shape.points.size());
+  std::iota(representatives.begin(), representatives.end(), 0);
+  EditedMesh tube = mesh();
+  const auto size = [&](std::uint32_t f) { return with_neighbours(tube, {f}).size(); };
+  std::vector<std::uint32_t> faces(shape.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  const std::uint32_t broken = *std::ranges::min_element(faces, {}, size);
+  std::set<std::uint32_t> near;
+  for (const std::uint32_t f : with_neighbours(tube, {broken})) {
+    near.insert(tube.triangle(f).begin(), tube.triangle(f).end());
+  }
+  ASSERT_LT(near.size(), shape.points.size() / 4);
+  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
+  EXPECT_TRUE(repair_further(tube, {broken}, {lattice, 0x1p-10, 0.12, true}));
+  std::size_t gone = 0;
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
+    const bool is_as_it_was = !tube.faces(v).empty() && tube.point(v) == shape.points[v];
+    EXPECT_TRUE(is_as_it_was || near.contains(v)) << v;
+    gone += is_as_it_was ? 0 : 1;
+  }
+  EXPECT_GT(gone, 0U);
+}
+
 TEST_F(Edit, thickens_everywhere_what_doubles_hold) {
   shape.points[1] = shape.points[0] + Vec3(0, 1e-6, 0);
   const std::vector<std::uint8_t> inexact(shape.points.size(), 1);
