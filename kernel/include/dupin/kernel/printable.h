@@ -17,8 +17,9 @@ namespace dupin {
 /// Whether there is one in it.
 [[nodiscard]] bool has_controls(std::string_view text);
 
-/// Control characters, which terminals obey and at which C strings end, and bytes that are no
-/// UTF-8, as \x and two digits, but for those of ASCII in `kept`. Valid UTF-8 on one line, then.
+/// The text with a backslash, an x and two digits for each byte of control characters, which
+/// terminals obey and at which C strings end, but for those of ASCII in `kept`, and for bytes that
+/// are no UTF-8. Valid UTF-8 on one line, then.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view kept = {});
 
 }  // namespace dupin
