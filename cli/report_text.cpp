@@ -178,8 +178,6 @@ std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-namespace {}  // namespace
-
 void print_row(std::ostream& out, std::string_view label, std::string_view value) {
   const std::size_t gap = std::max<std::size_t>(kLabelWidth, label.size() + 1) - label.size();
   out << label << std::string(gap, ' ') << printable(value) << '\n';

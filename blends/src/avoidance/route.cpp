@@ -72,14 +72,18 @@ class Router {
     try {
       return tried({}, spline_pipe(from_, {}, to_));
     } catch (const Error& error) {
-      auto pipe = error.code() == Errc::irregular_surface
-                      ? polyline_pipe(from_, to_, obstacles_, clearance_)
-                      : std::nullopt;
-      if (!pipe) {
+      auto straight = error.code() == Errc::irregular_surface ? of_elbows() : std::nullopt;
+      if (!straight) {
         throw;
       }
-      return tried({}, std::move(*pipe));
+      return *std::move(straight);
     }
+  }
+
+  // Straight pipes and elbows.
+  [[nodiscard]] std::optional<Trial> of_elbows() {
+    auto pipe = polyline_pipe(from_, to_, obstacles_, clearance_);
+    return pipe ? std::optional(tried({}, std::move(*pipe))) : std::nullopt;
   }
 
   // None where the pipe would fold.
@@ -137,8 +141,8 @@ class Router {
       }
     }
     if (given_.empty()) {
-      if (auto pipe = polyline_pipe(from_, to_, obstacles_, clearance_)) {
-        return tried({}, std::move(*pipe));
+      if (auto straight = of_elbows()) {
+        return *std::move(straight);
       }
     }
     const std::vector<Piece> pipe(best.pipe.begin(), best.pipe.end());

@@ -13,8 +13,12 @@ namespace dupin::rounding {
 
 /// A closed mesh to be edited.
 struct Edit : testing::Test {
-  explicit Edit(const TriMesh& start = test::tube(1, 0, 1, 8))
-      : shape(start), labels(shape.triangles.size(), 0), representatives(shape.points.size()) {
+  explicit Edit(const TriMesh& start = test::tube(1, 0, 1, 8)) { take(start); }
+  /// Another mesh instead.
+  void take(const TriMesh& other) {
+    shape = other;
+    labels.assign(shape.triangles.size(), 0);
+    representatives.resize(shape.points.size());
     std::iota(representatives.begin(), representatives.end(), 0);
   }
   EditedMesh mesh() { return {shape.points, shape.triangles, labels, representatives}; }

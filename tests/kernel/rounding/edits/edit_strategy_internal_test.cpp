@@ -18,13 +18,10 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
   std::uniform_int_distribution<int> offset(-200, 200);
   std::size_t broken = 0;
   for (int round = 0; round < 30; ++round) {
-    shape = test::tube(1, 0, 1, 64);
+    take(test::tube(1, 0, 1, 64));
     for (Vec3& p : shape.points) {
       p = lattice.nearest(p) + Vec3(offset(random), offset(random), offset(random)) * 0x1p-10;
     }
-    labels.assign(shape.triangles.size(), 0);
-    representatives.resize(shape.points.size());
-    std::iota(representatives.begin(), representatives.end(), 0);
     EditedMesh tube = mesh();
     tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
     const std::size_t before = tube.faults().size();
@@ -55,10 +52,7 @@ TEST_F(Edit, gives_up_when_its_trials_are_spent) {
 TEST_F(Edit, is_tried_again_only_where_something_has_changed) {
   const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
   const auto trials = [&](const TriMesh& broken, std::size_t left) {
-    shape = broken;
-    labels.assign(shape.triangles.size(), 0);
-    representatives.resize(shape.points.size());
-    std::iota(representatives.begin(), representatives.end(), 0);
+    take(broken);
     EditedMesh tube = mesh();
     tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
     EXPECT_TRUE(mend_faults(tube, lattice, 0.25, {1'000'000, 1'000'000}));
@@ -111,10 +105,7 @@ TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
 
 // All edges around the tube are shorter than the reach.
 TEST_F(Edit, repairs_further_near_the_broken_faces_only) {
-  shape = test::tube(1, 0, 1, 64);
-  labels.assign(shape.triangles.size(), 0);
-  representatives.resize(shape.points.size());
-  std::iota(representatives.begin(), representatives.end(), 0);
+  take(test::tube(1, 0, 1, 64));
   EditedMesh tube = mesh();
   const auto size = [&](std::uint32_t f) { return with_neighbours(tube, {f}).size(); };
   std::vector<std::uint32_t> faces(shape.triangles.size());

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <span>
 #include <vector>
@@ -55,12 +54,9 @@ TEST(VainEdits, of_points_tell_places) {
 // Each is tried three times, with others in between that change something, and decided as in a mesh
 // that knows of none before.
 TEST_F(Edit, is_decided_alike_however_often_it_was_tried) {
-  shape = test::torus(12, 24, 2, 1);
+  take(test::torus(12, 24, 2, 1));
   std::mt19937 random(7);
   test::shake(shape, 0.25, random);
-  labels.assign(shape.triangles.size(), 0);
-  representatives.resize(shape.points.size());
-  std::iota(representatives.begin(), representatives.end(), 0);
   const std::vector<std::uint8_t> all(shape.triangles.size(), 1);
   const auto placed = [&](std::span<const Vec3> points) {
     EditedMesh result = mesh();
