@@ -27,7 +27,7 @@ ARROWS = {
         "mesh": ["boxes", "exact", "support"],
         "checking": ["mesh", "boxes", "predicates", "exact", "support"],
         "arrangement": ["mesh", "boxes", "predicates", "exact", "support"],
-        "booleans": ["arrangement", "boxes", "checking", "mesh", "support"],
+        "booleans": ["arrangement", "boxes", "checking", "exact", "mesh", "support"],
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "tiles": ["checking", "mesh", "exact", "support"],

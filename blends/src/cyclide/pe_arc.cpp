@@ -198,6 +198,11 @@ PeArc PeArc::from(const PeVector& start, const PeVector& tangent, const PeVector
   // Normalised again, so that rounding does not add up along a chain.
   const PeVector t2 = (2 * v.w / arc.chord_) * (end - start) - tangent;
   arc.end_tangent_ = (1 / std::sqrt(product(t2, t2))) * t2;
+  if (!std::isfinite(arc.chord_) || !std::isfinite(arc.w_) || !std::isfinite(arc.least_power_) ||
+      !arc.end_tangent_.m.allFinite() || !std::isfinite(arc.end_tangent_.r)) {
+    throw Error(Errc::invalid_argument,
+                "the spheres of a chain are too large, too small or too far apart for doubles");
+  }
   return arc;
 }
 

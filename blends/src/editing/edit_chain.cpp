@@ -211,6 +211,10 @@ CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part, st
 }
 
 void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all) {
+  if (!(margin < 1)) {
+    throw Error(Errc::invalid_argument, "the margin of an edit must be less than 1, not " +
+                                            decimal(margin, kMessageDigits));
+  }
   (void)editing::chain_of(edited, part);
   const ResolvedAssembly resolved = resolve(edited);
   for (const ResolvedPart& other : resolved.parts) {

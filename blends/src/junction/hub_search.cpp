@@ -204,11 +204,16 @@ class HubSearch {
       radius = std::max(
           radius, 0.8 * std::min(sphere.r, std::max(0.0, sphere.r + ahead)) / std::sin(caps[i]));
     }
+    if (!std::isfinite(radius)) {
+      note(Fault{"caps this small need a hub too large for doubles: wider ones may do"});
+      return {};
+    }
     std::vector<Cap> told;
     for (const double angle : caps) {
       told.push_back({angle, 1 / std::tan(angle)});
     }
-    for (int i = 0; i < (options_.radius ? 1 : kSteps); ++i, radius *= kStep) {
+    for (int i = 0; i < (options_.radius ? 1 : kSteps) && std::isfinite(radius);
+         ++i, radius *= kStep) {
       Attempt attempt = at_hub(radius, told);
       if (attempt.fault) {
         note(*attempt.fault);

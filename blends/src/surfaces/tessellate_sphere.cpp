@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "dupin/blends/tessellate.h"
+#include "dupin/blends/tessellation.h"
+#include "dupin/kernel/error.h"
 #include "tessellation/tessellation_tolerance.h"
 
 namespace dupin {
 namespace {
 
-std::uint32_t bands_for(std::uint32_t segments) { return (segments + 1) / 2; }
+std::uint32_t bands_for(std::uint32_t segments) { return segments / 2 + segments % 2; }
 
 // The largest distance between a sphere and the quadrilaterals of its graticule. The corners of one
 // lie on the sphere and in a plane; no point between them is further from the sphere than that
@@ -42,7 +45,13 @@ std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid) 
 }
 
 Tessellation tessellate(const Sphere& sphere, const RingSampling& sampling) {
+  validate(Ring{sphere.center, Vec3::UnitZ(), sphere.radius});
   const std::uint32_t n = sampling.segments, bands = bands_for(n);
+  if (n < kFewestSegments) {
+    throw Error(Errc::invalid_argument, "a sphere needs at least " +
+                                            std::to_string(kFewestSegments) + " segments, not " +
+                                            std::to_string(n));
+  }
   tessellation::refuse_too_fine(2. * n * bands);
   Tessellation result{
       {},

@@ -1,8 +1,10 @@
 #include "tessellation/tessellation_tolerance.h"
 
+#include <algorithm>
 #include <string>
 
 #include "dupin/blends/tessellation.h"
+#include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -16,7 +18,7 @@ double allowed_error(double tolerance, double displacement) {
                     "may be off by " +
                     decimal_at_most(displacement));
   }
-  return tolerance - displacement;
+  return std::min(tolerance, kGreatestCoordinate) - displacement;  // all is coarse by then
 }
 
 std::uint32_t segment_count(double wanted) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
 #include <numeric>
 #include <random>
@@ -11,7 +12,10 @@
 #include <Eigen/Geometry>
 
 #include "arrangement/faces/constrained_triangulation.h"
+#include "dupin/kernel/coordinates.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "support/sequences.h"
 
 namespace dupin {
 namespace {
@@ -22,7 +26,8 @@ using arrangement::PointId;
 using Polygon = std::vector<std::uint32_t>;
 
 [[noreturn]] void refuse_touching() {
-  throw Error(Errc::self_intersecting, "the polygons that bound a region cross or touch");
+  throw Error(Errc::self_intersecting,
+              "the polygons that bound a region cross or touch each other or a point within");
 }
 
 void require_points(std::span<const std::uint32_t> corners, std::size_t points) {
@@ -97,7 +102,7 @@ class RegionTriangulation::Region {
   Region(std::span<const Vec2> points, std::span<const Polygon> polygons,
          std::span<const std::uint32_t> inner)
       : given_(points.size()) {
-    std::vector<std::uint32_t> corners(inner.begin(), inner.end());
+    std::vector<std::uint32_t> corners;
     for (const Polygon& polygon : polygons) {
       if (polygon.size() < 3) {
         throw Error(Errc::invalid_argument, "a polygon needs at least three corners, not " +
@@ -105,8 +110,14 @@ class RegionTriangulation::Region {
       }
       corners.insert(corners.end(), polygon.begin(), polygon.end());
     }
-    std::ranges::sort(corners);
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    support::sort_unique(corners);
+    for (const std::uint32_t point : inner) {
+      if (std::ranges::binary_search(corners, point)) {
+        refuse_touching();
+      }
+    }
+    corners.insert(corners.end(), inner.begin(), inner.end());
+    support::sort_unique(corners);
     for (const std::uint32_t corner : corners) {
       note_place(points[corner]);
     }
@@ -225,8 +236,12 @@ class RegionTriangulation::Region {
   }
 
   void note_place(const Vec2& point) {
-    if (!point.allFinite()) {
-      throw Error(Errc::invalid_argument, "the corner of a region is not finite");
+    for (const double x : point) {
+      if (!(std::abs(x) <= kGreatestCoordinate)) {
+        throw Error(Errc::invalid_argument,
+                    "a point of a region has the coordinate " + decimal(x, kMessageDigits) +
+                        ", which must be at most " + decimal(kGreatestCoordinate) + " in size");
+      }
     }
     places_.push_back({point.x(), point.y()});
   }
@@ -236,8 +251,10 @@ class RegionTriangulation::Region {
     const auto first_new = places_.begin() + std::ptrdiff_t(from);
     std::ranges::sort(first_new, places_.end());
     std::ranges::inplace_merge(places_, first_new);
-    if (std::ranges::adjacent_find(places_) != places_.end()) {
-      refuse_touching();
+    if (const auto twice = std::ranges::adjacent_find(places_); twice != places_.end()) {
+      throw Error(Errc::self_intersecting, "two points of a region lie at (" +
+                                               decimal((*twice)[0], kPlaceDigits) + ", " +
+                                               decimal((*twice)[1], kPlaceDigits) + ")");
     }
   }
 

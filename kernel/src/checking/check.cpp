@@ -1,11 +1,14 @@
 #include "dupin/kernel/check.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
+#include <string>
 
 #include "checking/inspection.h"
 #include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
 namespace dupin {
@@ -33,9 +36,24 @@ std::string faces(std::span<const std::uint32_t> indices, const TriMesh& mesh) {
   return text;
 }
 
+std::uint32_t point_of(const Finding& finding, std::size_t i) {
+  if (i >= finding.points.size()) {
+    throw Error(Errc::invalid_argument, "the finding names too few points");
+  }
+  return finding.points[i];
+}
+
 std::string edge(const Finding& finding, const TriMesh& mesh) {
-  return "the edge from " + decimal(mesh.points[finding.points[0]]) + " to " +
-         decimal(mesh.points[finding.points[1]]);
+  const auto end = [&](std::size_t i) {
+    const std::uint32_t point = point_of(finding, i);
+    if (point >= mesh.points.size()) {
+      throw Error(Errc::invalid_argument, "the finding is one of another mesh: it names point " +
+                                              std::to_string(point) + " of " +
+                                              std::to_string(mesh.points.size()));
+    }
+    return decimal(mesh.points[point]);
+  };
+  return "the edge from " + end(0) + " to " + end(1);
 }
 
 }  // namespace
@@ -97,7 +115,7 @@ std::string_view name(Defect defect) {
 
 std::string describe(const Finding& finding, const TriMesh& mesh) {
   const auto at_faces = [&] { return faces(finding.faces, mesh); };
-  const auto point = [&](std::size_t i) { return "point " + std::to_string(finding.points.at(i)); };
+  const auto point = [&](std::size_t i) { return "point " + std::to_string(point_of(finding, i)); };
   switch (finding.defect) {
     case Defect::non_finite_point:
       return point(0) + " has coordinates that are not finite numbers: " + decimal(finding.place);

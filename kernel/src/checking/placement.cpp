@@ -291,7 +291,7 @@ PlacedMesh placed(const TriMesh& mesh, const Placement& placement) {
   PlacedMesh result{mesh};
   for (Vec3& point : result.mesh.points) {
     if (!point.allFinite()) {
-      continue;
+      refuse("a point is nowhere: " + range_fault(point));
     }
     const Point exact = placement.place(point);
     const bool was_in_range = is_in_range(point);

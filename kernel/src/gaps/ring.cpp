@@ -109,7 +109,11 @@ Vec3 snapped(const Vec3& point, double grid) {
   if (grid == 0) {
     return point;
   }
-  return (point / grid).unaryExpr([](double x) { return std::nearbyint(x) + 0.0; }) * grid;
+  return point.unaryExpr([&](double x) {
+    constexpr double kAllWhole = 0x1p52;  // all doubles from there on
+    const double steps = x / grid;
+    return std::abs(steps) < kAllWhole ? (std::nearbyint(steps) + 0.0) * grid : x;
+  });
 }
 
 std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling) {
@@ -117,6 +121,11 @@ std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling) {
   if (sampling.segments < 3) {
     throw Error(Errc::invalid_argument,
                 "a ring needs at least 3 segments, not " + std::to_string(sampling.segments));
+  }
+  constexpr std::uint32_t kMostSegments = 100'000'000;
+  if (sampling.segments > kMostSegments) {
+    throw Error(Errc::limit_exceeded, "a ring has at most " + std::to_string(kMostSegments) +
+                                          " segments, not " + std::to_string(sampling.segments));
   }
   if (!std::isfinite(sampling.phase) || !std::isfinite(sampling.grid)) {
     throw Error(Errc::invalid_argument, "the phase and the grid of a sampling must be finite");
@@ -132,6 +141,9 @@ std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling) {
     const Vec3 offset = ring.ellipse ? Vec3(ring.radius * c * u + ring.ellipse->across * s * v)
                                      : Vec3(ring.radius * (c * u + s * v));
     points.push_back(snapped(ring.center + offset, sampling.grid));
+  }
+  if (!std::ranges::all_of(points, [](const Vec3& point) { return point.allFinite(); })) {
+    throw Error(Errc::invalid_argument, "the points of a ring are too far away for doubles");
   }
   if (!is_canonical(ring.normal)) {
     std::reverse(points.begin() + 1, points.end());

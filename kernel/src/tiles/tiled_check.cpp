@@ -78,10 +78,11 @@ class TiledCheck {
       : source_(source),
         scratch_(scratch),
         options_(options),
+        count_(source.count()),
         tree_({}, 1),
-        first_(source.count()),
+        first_(count_),
         kept_(kDefectCount) {
-    report_.triangles = source.count();
+    report_.triangles = count_;
     report_.counts.assign(kDefectCount, 0);
   }
 
@@ -103,22 +104,50 @@ class TiledCheck {
   }
 
  private:
+  /// What a source says, or a file holds, may have become otherwise meanwhile.
+  static void require_the_same(bool is_the_same) {
+    if (!is_the_same) {
+      throw Error(Errc::invalid_argument,
+                  "the facets are not those that they were, or not as many as counted; a source "
+                  "must give the same ones every time");
+    }
+  }
+
+  /// Calls visit(facet) for all facets of the source.
+  template <class Visit>
+  void for_each_given(const Visit& visit) const {
+    std::uint64_t left = count_;
+    source_.visit([&](std::span<const Facet> facets) {
+      require_the_same(facets.size() <= left);
+      left -= facets.size();
+      std::ranges::for_each(facets, visit);
+    });
+    require_the_same(left == 0);
+  }
+
+  static void require_finite(const Facet& facet, std::size_t number) {
+    const auto is_usual = [](float x) { return std::isfinite(x) && (x != 0 || !std::signbit(x)); };
+    if (!std::ranges::all_of(facet, is_usual)) {
+      throw Error(Errc::invalid_argument, "facet " + std::to_string(number) +
+                                              " has a coordinate that is not finite, or is -0");
+    }
+  }
+
   /// Of about so many facets, places that tiles are divided by; and the area on the way.
   [[nodiscard]] std::vector<Place> survey() {
     constexpr std::size_t kSample = std::size_t{1} << 17;
-    const std::size_t step = source_.count() / kSample + 1;
+    const std::size_t step = count_ / kSample + 1;
     std::vector<Place> sample;
     mesh::AreaSum area;
     std::size_t number = 0;
-    source_.visit([&](std::span<const Facet> facets) {
-      for (const Facet& facet : facets) {
-        if (number++ % step == 0) {
-          sample.push_back(box_of(facet).low);
-        }
-        if (!has_repeated_corner(facet)) {
-          area.add({to_vec3(corner_of(facet, 0)), to_vec3(corner_of(facet, 1)),
-                    to_vec3(corner_of(facet, 2))});
-        }
+    for_each_given([&](const Facet& facet) {
+      require_finite(facet, number);
+      if (number++ % step == 0) {
+        sample.push_back(box_of(facet).low);
+      }
+      if (!has_repeated_corner(facet)) {
+        area.add({to_vec3(corner_of(facet, 0)), to_vec3(corner_of(facet, 1)),
+                  to_vec3(corner_of(facet, 2))});
       }
     });
     report_.area = area.value();
@@ -128,7 +157,7 @@ class TiledCheck {
   /// Makes as many tiles as are asked for, or as the memory takes.
   void divide() {
     const std::vector<Place> sample = survey();
-    const double all = source_.count();
+    const double all = count_;
     const double left = static_cast<double>(options_.memory) - kBytesOfWhole * all;
     constexpr double kUneven = 1.2;
     std::size_t most = options_.tiles;
@@ -164,15 +193,13 @@ class TiledCheck {
   void count_facets() {
     counts_.assign(tree_.size(), 0);
     seam_count_ = 0;
-    source_.visit([&](std::span<const Facet> facets) {
-      for (const Facet& facet : facets) {
-        std::size_t tiles = 0;
-        tree_.for_each_tile(box_of(facet), [&](std::uint32_t tile) {
-          ++counts_[tile];
-          ++tiles;
-        });
-        seam_count_ += tiles > 1 ? 1 : 0;
-      }
+    for_each_given([&](const Facet& facet) {
+      std::size_t tiles = 0;
+      tree_.for_each_tile(box_of(facet), [&](std::uint32_t tile) {
+        ++counts_[tile];
+        ++tiles;
+      });
+      seam_count_ += tiles > 1 ? 1 : 0;
     });
   }
 
@@ -189,28 +216,30 @@ class TiledCheck {
     std::vector<std::vector<TileFacet>> waiting(tree_.size());
     std::vector<std::uint64_t> end(begin_.begin(), begin_.end() - 1);
     const auto flush = [&](std::uint32_t tile) {
+      require_the_same(end[tile] + waiting[tile].size() <= begin_[tile + 1]);
       scratch_.write(sizeof(TileFacet) * end[tile], bytes_of(std::as_const(waiting[tile])));
       end[tile] += waiting[tile].size();
       waiting[tile].clear();
     };
     std::uint32_t number = 0, seam = 0;
     std::vector<std::uint32_t> in;
-    source_.visit([&](std::span<const Facet> facets) {
-      for (const Facet& facet : facets) {
-        in.clear();
-        tree_.for_each_tile(box_of(facet), [&](std::uint32_t tile) { in.push_back(tile); });
-        const std::uint32_t own_seam = in.size() > 1 ? seam++ : support::kNone;
-        for (const std::uint32_t tile : in) {
-          waiting[tile].push_back({facet, number, own_seam});
-          if (waiting[tile].size() >= most) {
-            flush(tile);
-          }
+    for_each_given([&](const Facet& facet) {
+      require_finite(facet, number);
+      in.clear();
+      tree_.for_each_tile(box_of(facet), [&](std::uint32_t tile) { in.push_back(tile); });
+      const std::uint32_t own_seam = in.size() > 1 ? seam++ : support::kNone;
+      for (const std::uint32_t tile : in) {
+        waiting[tile].push_back({facet, number, own_seam});
+        if (waiting[tile].size() >= most) {
+          flush(tile);
         }
-        ++number;
       }
+      ++number;
     });
+    require_the_same(seam == seam_count_);
     for (std::uint32_t tile = 0; tile < tree_.size(); ++tile) {
       flush(tile);
+      require_the_same(end[tile] == begin_[tile + 1]);
     }
   }
 
@@ -447,6 +476,7 @@ class TiledCheck {
   const FacetSource& source_;
   Scratch& scratch_;
   const TiledCheckOptions options_;
+  const std::uint32_t count_;  // of the source's facets
   TileTree tree_;
   std::vector<std::uint64_t> counts_, begin_;  // of facets in each tile, and before it
   std::uint64_t seam_count_ = 0;

@@ -27,6 +27,9 @@ std::vector<Crease> creases_between_labels(
   if (!std::isfinite(angle)) {
     throw Error(Errc::invalid_argument, "the least angle of a crease must be finite");
   }
+  if (!divides) {
+    throw Error(Errc::invalid_argument, "nothing says which labels creases divide");
+  }
   std::vector<Crease> result;
   if (mesh.labels.empty()) {
     return result;

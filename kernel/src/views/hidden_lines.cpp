@@ -1,9 +1,11 @@
 #include "dupin/kernel/hidden_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "boxes/box_quantizer.h"
 #include "boxes/box_tree.h"
@@ -67,10 +69,20 @@ void clip(double at_start, double at_end, Stretch& kept) {
   }
 }
 
+// On which side of an edge a point is; for the edge's other triangle it is exactly the opposite.
+double side_of(const Vec3& a, const Vec3& b, const Vec3& point) {
+  const bool is_forward = std::pair(a[0], a[1]) < std::pair(b[0], b[1]);
+  return is_forward ? turn(a, b, point) : -turn(b, a, point);
+}
+
+// Of a line that is along an edge in the picture, a triangle covers one side only.
+using Sides = std::array<bool, 2>;
+
 // The fractions of p to q that are behind the triangle, and whether its front is seen.
 struct Covered {
   Stretch stretch;
   bool by_front;
+  Sides sides;
 };
 
 std::optional<Covered> covered(const Vec3& p, const Vec3& q, Vec3 a, Vec3 b, const Vec3& c) {
@@ -82,18 +94,27 @@ std::optional<Covered> covered(const Vec3& p, const Vec3& q, Vec3 a, Vec3 b, con
     std::swap(a, b);
   }
   Stretch kept{0, 1};
-  clip(turn(a, b, p), turn(a, b, q), kept);
-  clip(turn(b, c, p), turn(b, c, q), kept);
-  clip(turn(c, a, p), turn(c, a, q), kept);
+  Sides sides{true, true};
+  const auto clip_by = [&](const Vec3& from, const Vec3& to) {
+    const double at_p = side_of(from, to, p), at_q = side_of(from, to, q);
+    if (at_p != 0 || at_q != 0) {
+      return clip(at_p, at_q, kept);
+    }
+    const Vec3 along = to - from;
+    sides[along[1] < 0 || (along[1] == 0 && along[0] > 0) ? 1 : 0] = false;
+  };
+  clip_by(a, b);
+  clip_by(b, c);
+  clip_by(c, a);
   const Vec3 normal = (b - a).cross(c - a);  // towards the viewer
   clip(normal.dot(a - p), normal.dot(a - q), kept);
-  return kept.from < kept.to ? std::optional(Covered{kept, size > 0}) : std::nullopt;
+  return kept.from < kept.to ? std::optional(Covered{kept, size > 0, sides}) : std::nullopt;
 }
 
-// Where the fronts and backs before the line change in number.
+// Where the fronts and backs before either side of the line change in number.
 struct Step {
   double at;
-  int triangles, winding;
+  std::array<int, 2> triangles, winding;
 };
 
 // Stretches along a polyline, by their lengths.
@@ -107,20 +128,24 @@ class Joiner {
     }
   }
 
-  // Where the sum of the steps is not zero. What rounding makes goes first: else much of it, near
-  // each other, would become a stretch.
-  [[nodiscard]] std::vector<Stretch> where(std::span<const Step> steps, int Step::*count) const {
+  // Where the sums of the steps are not zero on either side. What rounding makes goes first: else
+  // much of it, near each other, would become a stretch.
+  [[nodiscard]] std::vector<Stretch> where(std::span<const Step> steps,
+                                           std::array<int, 2> Step::*count) const {
     constexpr double kRounding = 1e-9;  // of the whole length
     std::vector<Stretch> all;
-    int sum = 0;
+    std::array<int, 2> sum{};
+    bool was = false;
     for (const Step& step : steps) {
-      const bool was = sum != 0;
-      sum += step.*count;
-      if (!was && sum != 0) {
+      sum[0] += (step.*count)[0];
+      sum[1] += (step.*count)[1];
+      const bool is = sum[0] != 0 && sum[1] != 0;
+      if (!was && is) {
         all.push_back({step.at, step.at});
-      } else if (was && sum == 0) {
+      } else if (was && !is) {
         all.back().to = step.at;
       }
+      was = is;
     }
     return cleaned(cleaned(all, kRounding * lengths_.back()), least_);
   }
@@ -190,9 +215,12 @@ SeenLine HiddenLines::seen(std::span<const Vec3> polyline, double least) const {
       const auto& [a, b, c] = scene_->triangles[item];
       const auto& points = scene_->points;
       if (const auto found = covered(p, q, points[a], points[b], points[c])) {
+        const int left = found->sides[0] ? 1 : 0, right = found->sides[1] ? 1 : 0;
         const int turns = found->by_front ? 1 : -1;
-        steps.push_back({double(i) + found->stretch.from, 1, turns});
-        steps.push_back({double(i) + found->stretch.to, -1, -turns});
+        steps.push_back(
+            {double(i) + found->stretch.from, {left, right}, {left * turns, right * turns}});
+        steps.push_back(
+            {double(i) + found->stretch.to, {-left, -right}, {-left * turns, -right * turns}});
       }
     });
   }

@@ -289,6 +289,13 @@ TEST(PeArc, has_its_faults_up_to_the_very_borders) {
   EXPECT_EQ(fault(up, {1, 0, above(1)}, 1), ArcFault::none);
 }
 
+TEST(PeArc, has_no_numbers_that_overflow) {
+  for (const double far : {1e160, 1e250, 1e308}) {
+    EXPECT_THROW((void)PeArc::from({Vec3::Zero(), 1}, {Vec3::UnitZ(), 0}, {{far, 0, 5}, 1}), Error)
+        << far;
+  }
+}
+
 TEST(PeArc, needs_numbers_that_are_finite) {
   const PeVector start{Vec3::Zero(), 1}, tangent{Vec3::UnitZ(), 0}, end{{0, 0, 5}, 1};
   for (const double bad :

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "support/message_of.h"
@@ -175,6 +176,14 @@ TEST(EditChain, says_why_an_edit_is_refused) {
       "d.json#/parts/0/cyclide_chain/spheres/4: 'hook': sphere 4 cannot be "
       "moved there: ";
   EXPECT_EQ(moved(hook(), 4, sphere(0, 4, 0, 4)).substr(0, far.size()), far);
+}
+
+TEST(EditChain, is_checked_against_a_margin_that_can_be) {
+  const Assembly any = document({{"pipe", PipeBetween{Vec3::Zero(), Vec3::UnitX(), 1}}});
+  for (const double margin : {1., std::nan("")}) {
+    EXPECT_EQ(test::message_of([&] { check_edit(any, 0, margin); }, Errc::invalid_argument),
+              "the margin of an edit must be less than 1, not " + decimal(margin));
+  }
 }
 
 TEST(EditChain, refuses_parts_that_are_no_chain) {

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -176,6 +178,16 @@ TEST(Junction, tubes_run_from_the_ends_to_the_caps) {
     EXPECT_EQ(chain.pieces.size(), arm.straight ? 2U : 1U);
     EXPECT_EQ(end_ring(chain, End::start), flipped(arm.end));
     EXPECT_EQ(end_ring(chain, End::end), cap_circle(arm));
+  }
+}
+
+TEST(Junction, says_no_number_that_is_none_of_caps_however_small) {
+  for (const double angle : {1e-3, 1e-9, 1e-100, 1e-155, 1e-160, 1e-300, 5e-324}) {
+    const JunctionOptions options{.cap_angles = std::vector<double>(kFive.size(), angle)};
+    const JunctionSearch found = search_junction(kFive, options);
+    EXPECT_EQ(found.reason.find("nan"), std::string::npos) << angle << ": " << found.reason;
+    EXPECT_EQ(found.reason.find("inf"), std::string::npos) << angle << ": " << found.reason;
+    EXPECT_EQ(found.junction.has_value(), found.reason.empty());
   }
 }
 

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/cyclic_blend.h"
 #include "dupin/kernel/error.h"
 #include "support/mesh_distance.h"
 #include "support/message_of.h"
@@ -276,6 +277,31 @@ TEST(Tessellation, of_a_sphere_is_closed_and_within_the_tolerance) {
     }
     EXPECT_NEAR(volume, 4 * kPi / 3 * 8, result.error_bound * 4 * kPi * 4);
   }
+}
+
+TEST(Tessellation, of_a_sphere_needs_segments_that_bound_something) {
+  for (const std::uint32_t segments : {0U, 1U, 2U, 0xffffffffU}) {
+    EXPECT_THROW((void)tessellate(Sphere{}, {segments}), Error) << segments;
+  }
+  EXPECT_THAT(unmatched_edges(tessellate(Sphere{}, {3}).mesh), testing::IsEmpty());
+  EXPECT_THROW((void)tessellate(Sphere{{0, 0, 0}, std::nan("")}, {16}), Error);
+  EXPECT_THROW((void)tessellate(Sphere{{0, std::nan(""), 0}, 1}, {16}), Error);
+}
+
+TEST(Tessellation, is_as_coarse_as_can_be_for_any_large_tolerance) {
+  Ring to{{4, 0, 10}, Vec3(-.6, 0, -.8)};
+  const Chain chain(cyclic_blend(Ring{}, to));
+  const auto coarse = tessellate(chain, {16}, {1e9}).mesh;
+  for (const double tolerance : {1e100, 1e308, double(INFINITY)}) {
+    EXPECT_EQ(tessellate(chain, {16}, {tolerance}).mesh.triangles, coarse.triangles) << tolerance;
+  }
+}
+
+TEST(SmallestAngle, is_that_of_triangles_whose_corners_are_points) {
+  TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_NEAR(smallest_angle(mesh), kPi / 4, 1e-15);
+  mesh.triangles[0][1] = 3;
+  EXPECT_THROW((void)smallest_angle(mesh), Error);
 }
 
 TEST(Disc, of_the_flipped_ring_has_the_same_triangles_the_other_way_round) {

@@ -214,6 +214,34 @@ TEST(TriangulateRegion, of_no_polygons_is_empty) {
   EXPECT_TRUE(triangulate_region(points, {}, std::vector<std::uint32_t>{1}).empty());
 }
 
+TEST(TriangulateRegion, says_why_points_within_are_refused) {
+  const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}, {.25, .125}, {.25, .125}, {.5, 0}};
+  const std::vector<std::vector<std::uint32_t>> polygons{{0, 1, 2}};
+  const auto reason = [&](const std::vector<std::uint32_t>& inner) {
+    return test::message_of([&] { (void)triangulate_region(points, polygons, inner); },
+                            Errc::self_intersecting);
+  };
+  EXPECT_EQ(reason({3, 4}), "two points of a region lie at (0.25, 0.125)");
+  const std::string touches =
+      "the polygons that bound a region cross or touch each other or a point within";
+  EXPECT_EQ(reason({5}), touches);
+  EXPECT_EQ(reason({3, 0}), touches) << "a corner";
+}
+
+TEST(TriangulateRegion, is_of_numbers_that_can_be_multiplied) {
+  const auto triangulated = [](double size) {
+    const std::vector<Vec2> points{{-size, -size}, {size, -size}, {0, size}, {0, size / 2}};
+    return triangulate_region(points, std::vector<std::vector<std::uint32_t>>{{0, 1, 2}},
+                              std::vector<std::uint32_t>{3});
+  };
+  for (const double size : {1e-200, 1., 1e39}) {
+    EXPECT_EQ(triangulated(size).size(), 3) << size;
+  }
+  for (const double size : {1e40, 1e308}) {
+    EXPECT_THROW((void)triangulated(size), Error) << size;
+  }
+}
+
 TEST(TriangulateRegion, refuses_corners_that_are_no_points) {
   const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}};
   using Polygons = std::vector<std::vector<std::uint32_t>>;

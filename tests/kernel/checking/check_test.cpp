@@ -3,9 +3,12 @@
 #include <array>
 #include <limits>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -240,6 +243,28 @@ TEST(Check, survives_any_mesh) {
         Defect::isolated_point}) {
     EXPECT_GT(seen[static_cast<std::size_t>(defect)], 100U) << name(defect);
   }
+}
+
+TEST(Check, describes_findings_of_the_mesh_only) {
+  for (const Provoked& row : provoked()) {
+    const Report report = check(row.mesh);
+    Finding finding = report.findings[0];
+    EXPECT_NO_THROW((void)describe(finding, row.mesh));
+    const bool is_told_by_points =
+        describe(finding, row.mesh).find("point ") != std::string::npos ||
+        describe(finding, row.mesh).find("edge ") != std::string::npos;
+    finding.points.clear();
+    if (is_told_by_points) {
+      EXPECT_EQ(
+          test::message_of([&] { (void)describe(finding, row.mesh); }, Errc::invalid_argument),
+          "the finding names too few points")
+          << row.description;
+    }
+  }
+  const Report report = check(without_last_face(tetrahedron()));
+  EXPECT_EQ(
+      test::message_of([&] { (void)describe(report.findings[0], {}); }, Errc::invalid_argument),
+      "the finding is one of another mesh: it names point 2 of 0");
 }
 
 TEST(Check, reports_shells_and_their_nesting) {

@@ -192,6 +192,14 @@ TEST(Placement, refuses_what_is_none_and_what_leaves_the_range) {
   }
 }
 
+TEST(Placement, of_a_mesh_puts_no_point_that_is_nowhere) {
+  TriMesh mesh = test::box({0, 0, 0}, {1, 1, 1});
+  mesh.points[3].y() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(test::message_of([&] { (void)placed(mesh, {}); }, Errc::invalid_argument),
+            "a point is nowhere: the y coordinate inf, which must be 0 or from 1e-60 to 1e+39 in "
+            "size");
+}
+
 TEST(Placement, puts_nothing_that_is_not_finite) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),

@@ -108,6 +108,21 @@ TEST(Ring, a_bad_ring_is_refused) {
   EXPECT_THROW((void)sample({Vec3::Zero(), Vec3::UnitX(), 1}, {2}), Error);
 }
 
+TEST(Ring, is_refused_where_its_points_are_too_many_or_too_far_away) {
+  EXPECT_THROW((void)sample({}, {.segments = 0xffffffff}), Error);
+  EXPECT_THROW((void)sample({Vec3(1.7e308, 0, 0), Vec3::UnitZ(), 1e308}, {8}), Error);
+}
+
+// From 2^52 steps on, all doubles are whole numbers of them.
+TEST(Ring, points_stay_where_the_lattice_is_finer_than_doubles) {
+  const Vec3 point(1, -1.7e308, 0.25);
+  for (const double grid : {5e-324, 0x1p-1060, 0x1p-54}) {
+    EXPECT_EQ(snapped(point, grid), point);
+  }
+  EXPECT_EQ(snapped(point, 0x1p900), Vec3(0, -1.7e308, 0));
+  EXPECT_EQ(snapped(Vec3(1.3, -1.3, -0.1), 0.5), Vec3(1.5, -1.5, 0));
+}
+
 TEST(Ring, is_sampled_from_an_angle_and_on_a_lattice_that_are_numbers) {
   for (const double number : {std::nan(""), double(INFINITY)}) {
     EXPECT_THROW((void)sample({}, {.segments = 8, .phase = number}), Error);

@@ -42,6 +42,19 @@ TEST(ForEachInParallel, throws_what_the_lowest_index_does_after_all_others) {
   }
 }
 
+// Whatever arithmetic a program first used TBB in.
+TEST(ForEachInParallel, computes_as_its_caller_does) {
+  for (const int mode : {FE_UPWARD, FE_TONEAREST, FE_DOWNWARD, FE_TONEAREST}) {
+    std::fesetround(mode);
+    std::vector<int> modes(1000, -1);
+    for_each_in_parallel(modes.size(), [&](std::size_t i) { modes[i] = std::fegetround(); });
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(modes, std::vector<int>(1000, mode));
+    EXPECT_EQ(after, mode);
+  }
+}
+
 TEST(ForEachInOrder, takes_in_order_one_at_a_time_what_is_made) {
   for (int round = 0; round < 20; ++round) {
     std::vector<std::atomic<int>> made(300);

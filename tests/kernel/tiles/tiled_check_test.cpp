@@ -1,7 +1,9 @@
 #include "dupin/kernel/tiled_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 #include "dupin/kernel/error.h"
 #include "kernel/same_report.h"
 #include "kernel/tiles/facet_scene.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -111,6 +114,55 @@ TEST(CheckInTiles, takes_as_many_tiles_as_the_memory_asks_for) {
       EXPECT_EQ(error.code(), Errc::limit_exceeded);
       EXPECT_THAT(error.what(), testing::HasSubstr("--memory"));
     }
+  }
+}
+
+// A file may become another one while it is looked at.
+class ChangingFacets : public test::HeldFacets {
+ public:
+  ChangingFacets(std::vector<Facet> facets, std::vector<Facet> others, int from_visit)
+      : HeldFacets(std::move(facets)), others_(std::move(others)), usual_visits_(from_visit) {}
+  void visit(const std::function<void(std::span<const Facet>)>& visit) const override {
+    usual_visits_-- > 0 ? HeldFacets::visit(visit) : others_.visit(visit);
+  }
+
+ private:
+  test::HeldFacets others_;
+  mutable int usual_visits_;
+};
+
+void expect_refused(const std::vector<Facet>& facets, const std::vector<Facet>& others,
+                    int from_visit, std::size_t tiles) {
+  SCOPED_TRACE(testing::Message() << others.size() << ' ' << from_visit << ' ' << tiles);
+  test::HeldScratch scratch;
+  const ChangingFacets source(facets, others, from_visit);
+  const auto run = [&] { (void)check_in_tiles(source, scratch, {.tiles = tiles}); };
+  EXPECT_THAT(test::message_of(run, Errc::invalid_argument),
+              testing::HasSubstr("the same ones every time"));
+}
+
+TEST(CheckInTiles, refuses_a_source_that_is_not_the_same_every_time) {
+  const std::vector<Facet> facets = facet_scene(3, 0.05);
+  for (const int from_visit : {0, 1, 2}) {
+    for (const std::size_t tiles : {1, 8}) {
+      for (const std::size_t count : {std::size_t(0), std::size_t(1), facets.size() - 1,
+                                      facets.size() + 1, 2 * facets.size()}) {
+        std::vector<Facet> others = facets;
+        others.resize(count, facets[0]);
+        expect_refused(facets, others, from_visit, tiles);
+      }
+    }
+  }
+  expect_refused(facets, std::vector<Facet>(facets.size(), facets[0]), 2, 8);
+}
+
+TEST(CheckInTiles, refuses_facets_that_are_nowhere) {
+  for (const float bad : {NAN, INFINITY, -0.0F}) {
+    std::vector<Facet> facets = facet_scene(3, 0.05);
+    facets[5][3] = bad;
+    const auto run = [&] { (void)in_tiles(facets, {.tiles = 3}); };
+    EXPECT_EQ(test::message_of(run, Errc::invalid_argument),
+              "facet 5 has a coordinate that is not finite, or is -0");
   }
 }
 

@@ -77,6 +77,7 @@ TEST(Crease, turn_by_more_than_a_number) {
   TriMesh box = test::labelled(test::box({0, 0, 0}, {1, 1, 1}), "box");
   const auto all = [](std::uint32_t, std::uint32_t) { return true; };
   EXPECT_THROW((void)creases_between_labels(box, std::nan(""), all), Error);
+  EXPECT_THROW((void)creases_between_labels(box, 1, {}), Error);
   box.triangles[0][0] = 8;
   EXPECT_THROW((void)creases_between_labels(box, 1, all), Error);
 }

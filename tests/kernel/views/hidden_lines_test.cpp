@@ -92,6 +92,34 @@ TEST(HiddenLines, agree_with_rays_at_points) {
   }
 }
 
+// The diagonals of the box's faces, or its sides, are edges of triangles on either side of the
+// line.
+TEST(HiddenLines, are_hidden_along_edges_too) {
+  const TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
+  for (const Vec3& towards : {Vec3(0, 0, 1), Vec3(1, 2, 5), Vec3(-3, 1, 2)}) {
+    const HiddenLines scene(box, view_along(-towards.normalized()));
+    for (const bool is_other : {false, true}) {
+      const auto corner = [&](double t, double z) { return Vec3(t, is_other ? 1 - t : t, z); };
+      SCOPED_TRACE(testing::Message() << towards.transpose() << ' ' << is_other);
+      const Vec3 below = -2 * towards;
+      const Line line{corner(0, 1) + below, corner(1, 1) + below};
+      expect_stretches(scene.seen(line, 1e-9).covered, {{0, 1}});
+      expect_stretches(scene.seen(line, 1e-9).inside, {});
+      const Line within{corner(0, .5), corner(1, .5)};
+      expect_stretches(scene.seen(within, 1e-9).inside, {{0, 1}});
+    }
+  }
+  // The box's own upper sides have it on one side only.
+  const HiddenLines scene(box, view_along(-Vec3::UnitZ()));
+  for (const Vec3& to : {Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+    for (const Vec3& from : {Vec3(0, 0, 0), Vec3(1, 1, 0)}) {
+      const Line side{from, from + (from.x() > 0 ? Vec3(-to) : to)};
+      EXPECT_TRUE(scene.seen(side, 1e-9).covered.empty());
+      EXPECT_TRUE(scene.seen(side, 1e-9).inside.empty());
+    }
+  }
+}
+
 TEST(HiddenLines, are_of_finite_numbers) {
   const TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
   const std::vector<Vec3> line = {{0, 0, -1}, {1, 1, -1}};

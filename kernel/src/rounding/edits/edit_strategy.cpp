@@ -16,6 +16,7 @@
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/sequences.h"
+#include "support/task_context.h"
 
 namespace dupin::rounding {
 namespace {
@@ -356,11 +357,13 @@ bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original,
     marked[i] = marked[i] != 0 && mesh.last_edit(alive[i]) == 0 ? 1 : 0;
   }
   std::vector<Fault> faults;
+  tbb::task_group_context context = support::task_context();
   tbb::parallel_invoke(
       [&] { thicken(mesh, reach, std::move(left)); },
       [&] {
         faults = find_faults({mesh.points(), triangles, original.representatives}, marked);
-      });
+      },
+      context);
   faults = renumbered(std::move(faults), alive);
   std::erase_if(faults, [&](const Fault& fault) {
     return mesh.last_edit(fault.first) != 0 || mesh.last_edit(fault.second) != 0;
