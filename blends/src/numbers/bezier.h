@@ -1,17 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "numbers/interval.h"
 
 namespace dupin::numbers {
 
-/// A Bezier polynomial's value and first three derivatives at t, from the last four rows of one de
-/// Casteljau scheme. Takes its control points by value to work in.
+/// See bezier_jet(). Works in the control points, which are some.
 template <class T>
-[[nodiscard]] std::array<T, 4> bezier_jet(std::vector<T> row, double t) {
+[[nodiscard]] std::array<T, 4> bezier_jet_within(std::span<T> row, double t) {
   const T zero = row.front() - row.front();
   std::array<T, 4> jet{zero, zero, zero, zero};
   const auto degree = static_cast<double>(row.size() - 1);
@@ -37,6 +38,20 @@ template <class T>
     }
   }
   return jet;
+}
+
+/// A Bezier polynomial's value and first three derivatives at t, from the last four rows of one de
+/// Casteljau scheme.
+template <class T>
+[[nodiscard]] std::array<T, 4> bezier_jet(const std::vector<T>& points, double t) {
+  constexpr std::size_t kFew = 12;  // most have no more, and are asked for very often
+  if (points.size() > kFew) {
+    std::vector<T> row = points;
+    return bezier_jet_within(std::span<T>(row), t);
+  }
+  std::array<T, kFew> row;
+  std::copy(points.begin(), points.end(), row.begin());
+  return bezier_jet_within(std::span<T>(row).first(points.size()), t);
 }
 
 inline IntervalVec hull(const IntervalVec& a, const IntervalVec& b) {

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kGridSize = 25;
+// Sections leave 0.62 of what they divide. Inner ones are finer: outer ones see their error, and a
+// flat valley shows only the square root of it. A remedy is said in four digits.
+constexpr BlendSearch::Sections kToTheEnd{60, 36}, kForRemedies{30, 18};
 
 double local_margin(const RingedSurface& surface, double t) {
   return 1 - curvature(evaluate(surface.spine, t)) * evaluate(surface.radius, t).value;
@@ -105,16 +108,15 @@ BlendSearch::Cost BlendSearch::cost(const Speeds& at, const CostFunction& wanted
   return admissible(result) ? wanted(result) : Cost{kInfinity, 0};
 }
 
-BlendSearch::Speeds BlendSearch::refined(const Speeds& start, const CostFunction& wanted) const {
-  // Inside along (1, 1) or the only free speed, outside along (1, -1). The inner search is finer:
-  // the outer one sees its error, and a flat valley shows only the square root of it.
-  constexpr int kInner = 60, kOuter = 36;
+// Inside along (1, 1) or the only free speed, outside along (1, -1).
+BlendSearch::Speeds BlendSearch::refined(const Speeds& start, const CostFunction& wanted,
+                                         const Sections& sections) const {
   const auto inner = [&](const Speeds& at) {
     return numbers::golden_section(
         [&](double s) {
           return cost({at.k + (k_ ? 0 : s), at.l + (l_ ? 0 : s)}, wanted);
         },
-        -1.5 * spacing(), 1.5 * spacing(), kInner);
+        -1.5 * spacing(), 1.5 * spacing(), sections.inner);
   };
   Speeds at = start;
   if (!k_ && !l_) {
@@ -122,14 +124,14 @@ BlendSearch::Speeds BlendSearch::refined(const Speeds& start, const CostFunction
         [&](double s) {
           return inner({start.k + s, start.l - s}).value;
         },
-        -1.5 * spacing(), 1.5 * spacing(), kOuter);
+        -1.5 * spacing(), 1.5 * spacing(), sections.outer);
     at = {start.k + outer.at, start.l - outer.at};
   }
   const double s = inner(at).at;
   return {at.k + (k_ ? 0 : s), at.l + (l_ ? 0 : s)};
 }
 
-std::optional<Trial> BlendSearch::best(const CostFunction& wanted) const {
+std::optional<Trial> BlendSearch::best(const CostFunction& wanted, const Sections& sections) const {
   const auto start = std::min_element(
       grid_.begin(), grid_.end(),
       [&](const auto& a, const auto& b) { return wanted(a.second) < wanted(b.second); });
@@ -138,29 +140,33 @@ std::optional<Trial> BlendSearch::best(const CostFunction& wanted) const {
   }
   Speeds at = start->first;
   if (!k_ || !l_) {
-    at = refined(at, wanted);
+    at = refined(at, wanted, sections);
   }
   Trial result = trial(at, fine_);
   return admissible(result) ? std::optional(result) : std::nullopt;
 }
 
 std::optional<Trial> BlendSearch::least_energy(double margin) const {
-  const auto found = best([margin](const Trial& trial) {
-    return Cost{std::max(0.0, margin - trial.margin), trial.energy};
-  });
+  const auto found = best(
+      [margin](const Trial& trial) {
+        return Cost{std::max(0.0, margin - trial.margin), trial.energy};
+      },
+      kToTheEnd);
   return found && found->margin >= margin ? found : std::nullopt;
 }
 
 std::optional<Trial> BlendSearch::nearest(double margin, double k, double l) const {
-  const auto found = best([=](const Trial& trial) {
-    return Cost{std::max(0.0, margin - trial.margin),
-                std::hypot(std::log(trial.k / k), std::log(trial.l / l))};
-  });
+  const auto found = best(
+      [=](const Trial& trial) {
+        return Cost{std::max(0.0, margin - trial.margin),
+                    std::hypot(std::log(trial.k / k), std::log(trial.l / l))};
+      },
+      kForRemedies);
   return found && found->margin >= margin ? found : std::nullopt;
 }
 
 std::optional<Trial> BlendSearch::largest_margin() const {
-  return best([](const Trial& trial) { return Cost{-trial.margin, 0}; });
+  return best([](const Trial& trial) { return Cost{-trial.margin, 0}; }, kToTheEnd);
 }
 
 }  // namespace dupin::ringed

@@ -37,12 +37,17 @@ inline constexpr SpeedRange kAllSpeeds{0.05, 64, std::numeric_limits<double>::in
 /// two places on the spine are equally tight.)
 class BlendSearch {
  public:
+  /// How finely golden sections look about the grid's best point.
+  struct Sections {
+    int inner = 0, outer = 0;
+  };
+
   BlendSearch(BlendFamily family, double scale, std::optional<double> k, std::optional<double> l,
               const SpeedRange& range = kNearSpeeds);
 
   /// Least energy with at least this margin; none if there is none.
   [[nodiscard]] std::optional<Trial> least_energy(double margin) const;
-  /// With at least this margin, that of least hypot(ln(k / wanted k), ln(l / wanted l)).
+  /// With at least this margin, that of least hypot(ln(k / wanted k), ln(l / wanted l)), nearly.
   [[nodiscard]] std::optional<Trial> nearest(double margin, double k, double l) const;
   /// Largest margin; none if nothing is within the length allowed.
   [[nodiscard]] std::optional<Trial> largest_margin() const;
@@ -62,8 +67,10 @@ class BlendSearch {
   [[nodiscard]] Trial trial(const Speeds& at, const numbers::Quadrature& rule) const;
   [[nodiscard]] bool admissible(const Trial& trial) const;
   [[nodiscard]] Cost cost(const Speeds& at, const CostFunction& wanted) const;
-  [[nodiscard]] Speeds refined(const Speeds& start, const CostFunction& wanted) const;
-  [[nodiscard]] std::optional<Trial> best(const CostFunction& wanted) const;
+  [[nodiscard]] Speeds refined(const Speeds& start, const CostFunction& wanted,
+                               const Sections& sections) const;
+  [[nodiscard]] std::optional<Trial> best(const CostFunction& wanted,
+                                          const Sections& sections) const;
 
   BlendFamily family_;
   double scale_;

@@ -141,6 +141,9 @@ std::optional<BlendChoice> certified_choice(const Ring& from, const Ring& to,
     if (choice.margin >= options.margin) {
       return choice;
     }
+    if (!std::isfinite(choice.margin)) {
+      return std::nullopt;  // its spine stops, or its radius vanishes: no aim is high enough
+    }
     aim += options.margin - choice.margin + kCertificateWidth;
   }
   return std::nullopt;
