@@ -4,9 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -26,6 +29,25 @@ constexpr std::array<UnitRow, 5> kUnits{{{Unit::millimetre, "mm", 10},
 const UnitRow& row(Unit unit) { return kUnits.at(static_cast<std::size_t>(unit)); }
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+// Without its exponent, no product is beyond what fits. A length that is none any more is refused.
+double converted(double value, Unit from, Unit to, std::string_view text) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  const double result = std::ldexp(mantissa * row(from).tenths / row(to).tenths, exponent);
+  const std::string in_unit = quoted(text) + " in " + std::string(symbol(to));
+  if (!std::isfinite(result)) {
+    throw Error(Errc::invalid_argument, in_unit + " is more than " +
+                                            decimal(std::numeric_limits<double>::max()) +
+                                            ", the largest number");
+  }
+  if (result == 0) {
+    throw Error(Errc::invalid_argument, in_unit + " is less than " +
+                                            decimal(std::numeric_limits<double>::denorm_min()) +
+                                            ", the smallest number");
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -47,6 +69,7 @@ Unit unit_from(std::string_view symbol) {
 double millimetres(Unit unit) { return row(unit).tenths / 10; }
 
 double parse_length(std::string_view text, Unit unit) {
+  const UsualArithmetic usual;
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, value);
@@ -63,7 +86,7 @@ double parse_length(std::string_view text, Unit unit) {
   if (suffix.empty()) {
     return value;
   }
-  return value * row(unit_from(suffix)).tenths / row(unit).tenths;
+  return converted(value, unit_from(suffix), unit, text);
 }
 
 }  // namespace dupin

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 
 namespace dupin {
 namespace {
@@ -41,6 +42,18 @@ TEST(Unit, reads_lengths_as_people_type_them) {
       EXPECT_EQ(error.code(), Errc::invalid_argument);
     }
   }
+}
+
+TEST(Unit, lengths_no_number_of_the_other_unit_holds_are_refused) {
+  EXPECT_EQ(parse_length("1e308mm", Unit::metre), 1e305);  // though ten times it is none
+  EXPECT_EQ(parse_length("5e-324mm", Unit::millimetre), 5e-324);
+  const auto said = [](const std::string& text, Unit unit) {
+    return test::message_of([&] { (void)parse_length(text, unit); }, Errc::invalid_argument);
+  };
+  EXPECT_EQ(said("1e308ft", Unit::millimetre),
+            "'1e308ft' in mm is more than 1.7976931348623157e+308, the largest number");
+  EXPECT_EQ(said("1e-323mm", Unit::metre),
+            "'1e-323mm' in m is less than 5e-324, the smallest number");
 }
 
 TEST(Unit, names_and_symbols_go_round) {
