@@ -8,6 +8,7 @@ HEADER = """namespace dupin {
 [[nodiscard]] Solid unite(int a);
 /// Solid told(int a);
 [[nodiscard]] double length(int a);
+[[nodiscard]] std::string solid_text(int a);
 class Plan {
  public:
   [[nodiscard]] Built build() const;
@@ -51,6 +52,10 @@ def main():
         assert not faults("namespace {\n" + bare + "}  // namespace\n")
         assert not faults(bare, opened="namespace dupin::folder {\n")
         assert not faults(bare, stem="unite_absent")
+        # What reads and writes is known by its name.
+        reader = "std::string solid_text(int a) {\n  return text(a + 1);\n}\n"
+        assert faults(reader) == ["kernel/src/unite.cpp:2: solid_text needs a UsualArithmetic"]
+        assert not faults("std::string solid_text(int a) {\n  refuse();\n}\n")
 
 
 if __name__ == "__main__":

@@ -92,6 +92,7 @@ DocumentKind document_kind(const std::filesystem::path& file) {
 
 Document document_of(std::string_view text, const std::string& source, DocumentKind kind,
                      const SourceOptions& options) {
+  const UsualArithmetic usual;
   switch (kind) {
     case DocumentKind::piping:
       return piping_document(text, source, options);
@@ -143,6 +144,7 @@ void take(BuildReport& report, Built&& built, Document& document, double connect
 }
 
 BillReport bill_report(const Document& document) {
+  const UsualArithmetic usual;
   BillReport report{bill_of(document), {}, origins(document.assembly), {}};
   report.source.graph = document.network;
   report.source.piping = document.piping;
@@ -150,6 +152,7 @@ BillReport bill_report(const Document& document) {
 }
 
 GapSummary gap_summary(const Assembly& assembly, std::optional<double> connect) {
+  const UsualArithmetic usual;
   const ResolvedAssembly resolved = resolve(assembly);
   GapSummary summary{
       assembly.source, assembly.unit, connect.value_or(assembly.tolerance), ports(resolved), {}};
@@ -158,6 +161,7 @@ GapSummary gap_summary(const Assembly& assembly, std::optional<double> connect) 
 }
 
 GapSummary gap_summary(const Document& document, std::optional<double> connect) {
+  const UsualArithmetic usual;
   GapSummary summary = gap_summary(document.assembly, connect);
   if (document.network) {
     summary.source = SourceNotes{{}, document.network->notes, {}};
@@ -167,6 +171,7 @@ GapSummary gap_summary(const Document& document, std::optional<double> connect) 
 
 GapSummary piping_gap_summary(std::string_view text, const std::string& source, BoreMeaning bores,
                               std::optional<double> connect, bool keep_going) {
+  const UsualArithmetic usual;
   PcfFile file = parse_pcf(text, source, bores);
   PipingOptions options;
   options.keep_going = keep_going;

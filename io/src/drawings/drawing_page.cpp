@@ -9,6 +9,7 @@
 #include "drawings/shading.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "text/drawable_text.h"
 
 #ifdef DUPIN_WITH_CAIRO
@@ -144,6 +145,7 @@ bool can_draw_pages() { return drawings::find_cairo() != nullptr; }
 
 std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options) {
+  const UsualArithmetic usual;
   const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
   require_page(sheet, drawing, scale, options);
   std::string bytes;
@@ -166,6 +168,7 @@ std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
 
 std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options, const PictureOptions& picture) {
+  const UsualArithmetic usual;
   if (!(picture.dots_per_inch > 0 && std::isfinite(picture.dots_per_inch))) {
     throw Error(Errc::invalid_argument,
                 "a picture needs a positive number of dots per inch, such as 150, not " +

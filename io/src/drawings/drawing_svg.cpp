@@ -12,6 +12,7 @@
 #include "drawings/paper_sheet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "text/xml_text.h"
 
 namespace dupin {
@@ -69,10 +70,12 @@ double positive(const std::string& text, std::string_view number) {
 }  // namespace
 
 std::string to_string(const DrawingScale& scale) {
+  const UsualArithmetic usual;
   return decimal(scale.paper).append(":").append(decimal(scale.real));
 }
 
 DrawingScale drawing_scale(const std::string& text) {
+  const UsualArithmetic usual;
   const std::size_t colon = std::min(text.find(':'), text.size());
   const std::string_view whole = text;
   const std::string_view real = whole.substr(std::min(colon + 1, text.size()));
@@ -80,6 +83,7 @@ DrawingScale drawing_scale(const std::string& text) {
 }
 
 DrawingScale fitting_scale(const Drawing& drawing) {
+  const UsualArithmetic usual;
   constexpr double kWidth = 420 - 20, kHeight = 297 - 20;
   const Eigen::Vector2d size = bounds(drawing).sizes() * millimetres(drawing.unit);
   const double larger = std::max(size[0] / kWidth, size[1] / kHeight);
@@ -91,11 +95,13 @@ DrawingScale fitting_scale(const Drawing& drawing) {
 
 Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale,
                               const SheetOptions& options) {
+  const UsualArithmetic usual;
   return drawings::paper_sheet(drawing, scale, options).size;
 }
 
 std::string drawing_svg(const Drawing& drawing, const DrawingScale& scale,
                         const SheetOptions& options) {
+  const UsualArithmetic usual;
   const drawings::PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
   std::string width, height;
   append_paper(width, sheet.size[0]);

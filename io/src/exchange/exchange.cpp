@@ -11,6 +11,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exchange/bodies.h"
 #include "exchange/module_loader.h"
 
@@ -279,6 +280,7 @@ void require_exchange(const Assembly& assembly, std::optional<Region> region,
 
 ExchangeFile step_file(const Assembly& assembly, const Built& built,
                        const ExchangeOptions& options) {
+  const UsualArithmetic usual;
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
     throw Error(Errc::invalid_argument, "the tolerance must be positive and finite, not " +
                                             decimal(*options.tolerance, kMessageDigits));
@@ -301,10 +303,12 @@ ExchangeFile step_file(const Assembly& assembly, const Built& built,
 }
 
 std::string surfaces_step(const std::vector<NamedNurbs>& parts, Unit unit) {
+  const UsualArithmetic usual;
   return exchange::surfaces_file(parts, unit, false);
 }
 
 std::string surfaces_iges(const std::vector<NamedNurbs>& parts, Unit unit) {
+  const UsualArithmetic usual;
   return exchange::surfaces_file(parts, unit, true);
 }
 

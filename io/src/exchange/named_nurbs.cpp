@@ -7,6 +7,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -35,6 +36,7 @@ void append_fillets(const ResolvedAssembly& resolved, double tolerance,
 }  // namespace
 
 std::vector<NamedNurbs> named_nurbs(const Assembly& assembly, double tolerance) {
+  const UsualArithmetic usual;
   if (!(tolerance > 0 && std::isfinite(tolerance))) {  // which is of no part
     throw Error(Errc::invalid_argument, "the tolerance of NURBS must be positive and finite, not " +
                                             decimal(tolerance, kMessageDigits));

@@ -128,6 +128,7 @@ void write_verified(const std::filesystem::path& path, const Rounded& rounded,
   Written written(path, rounded.mesh(), format, header);
   tell(progress, "verify");
   for_each_in_parallel(2, [&](std::size_t i) {
+    const UsualArithmetic workers;
     i == 0 ? written.require_bytes(path)
            : require_same(rounded, written.bytes, path.string(), format);
   });
@@ -136,6 +137,7 @@ void write_verified(const std::filesystem::path& path, const Rounded& rounded,
 
 std::string verified_bytes(std::string_view file, const Rounded& rounded, const MeshFormat& format,
                            const MeshHeader& header, const Progress& progress) {
+  const UsualArithmetic usual;
   refuse_contacts(rounded, file, format);
   tell(progress, "write");
   std::string bytes = mesh_bytes(rounded.mesh(), format, header);

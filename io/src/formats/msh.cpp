@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dupin/kernel/parallel.h"
 #include "formats/volume_points.h"
 #include "text/append_each.h"
 #include "text/mesh_text.h"
@@ -85,6 +86,7 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   std::string text =
       text_before_elements(mesh, text::writable_points(mesh, Coordinates::binary64), header, false);
   text += "$Elements\n" + std::to_string(mesh.triangles.size()) + '\n';
@@ -93,6 +95,7 @@ std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
 }
 
 std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const TriMesh& surface = mesh.surface;
   std::string text = text_before_elements(surface, formats::writable_points(mesh), header, true);
   text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';

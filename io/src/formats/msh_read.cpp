@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dupin/io/msh.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/volume_mesh.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
@@ -240,10 +241,12 @@ class MshReader {
 }  // namespace
 
 TriMesh read_msh(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   return MshReader(bytes, file).read();
 }
 
 VolumeMesh read_msh_volume(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   return MshReader(bytes, file).read_volume();
 }
 

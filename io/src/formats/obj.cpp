@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "dupin/kernel/parallel.h"
 #include "formats/split_points.h"
 #include "text/append_each.h"
 #include "text/byte_order_mark.h"
@@ -139,6 +140,7 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 TriMesh read_obj(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   text::TextScanner scanner(bytes, file, '#');
   text::LabelBuilder labels;
   TriMesh mesh;
@@ -219,6 +221,7 @@ void append_face(std::string& text, const Triangle& face, const Triangle* normal
 }  // namespace
 
 std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
   std::string text = text::header_lines(header, "# ");
   const formats::SplitPoints shaded =

@@ -208,6 +208,7 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 TriMesh read_off(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   text::TextScanner scanner(bytes, file, '#');
   const bool has_extras = read_keyword(scanner);
   const Counts counts = read_counts(scanner);
@@ -241,6 +242,7 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
 }
 
 std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
   std::string text = "OFF\n" + text::header_lines(header, "# ");
   text.reserve(text.size() + 64 + points.size() * 60 + mesh.triangles.size() * 26);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
@@ -358,6 +359,7 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 TriMesh read_ply(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   const formats::PlyHeader header = formats::read_ply_header(bytes, file);
   return header.encoding == formats::PlyEncoding::ascii
              ? PlyReader<formats::PlyTextNumbers>(bytes, file, header).read()
@@ -365,6 +367,7 @@ TriMesh read_ply(std::string_view bytes, std::string_view file) {
 }
 
 std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
   std::string text = formats::ply_header_text(contents_of(mesh, header, vertices), mesh.names,
@@ -395,6 +398,7 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
 }
 
 std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
   std::string bytes = formats::ply_header_text(contents_of(mesh, header, vertices), mesh.names,

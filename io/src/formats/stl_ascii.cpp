@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dupin/io/stl.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/stl_facet.h"
 #include "text/append_each.h"
 #include "text/mesh_text.h"
@@ -128,6 +129,7 @@ class PointTexts {
 }  // namespace
 
 TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   text::TextScanner scanner(bytes, file);
   text::PointMerger points(bytes.size() / kShortestFacet / 2);
   text::LabelBuilder labels;
@@ -156,6 +158,7 @@ TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
 }
 
 std::string stl_ascii_text(const TriMesh& mesh) {
+  const UsualArithmetic usual;
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
   const PointTexts texts(points);
   std::string text;

@@ -12,6 +12,7 @@
 
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/stl_facet.h"
 #include "text/append_each.h"
 #include "text/known_unit.h"
@@ -160,6 +161,7 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   const std::size_t count = formats::stl_triangles(bytes, bytes.size(), file);
   formats::StlMesh mesh(count);
   for (std::size_t facet = kStlPreamble; facet < bytes.size(); facet += kStlFacet) {
@@ -187,6 +189,7 @@ bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
 }
 
 std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles");

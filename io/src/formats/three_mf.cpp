@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "files/xml_events.h"
 #include "files/zip_package.h"
 #include "formats/placed_mesh.h"
@@ -146,6 +147,7 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 TriMesh read_3mf(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   files::ZipPackage package(bytes, file);
   const std::string root = model_entry(package, file);
   return formats::read_3mf_model(root, [&](const std::string& part) {
@@ -169,6 +171,7 @@ std::string unit_of_3mf(std::string_view bytes, std::string_view file) {
 }
 
 std::string three_mf_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   return files::zip_archive({{"[Content_Types].xml", std::string(kContentTypes)},
                              {"_rels/.rels", std::string(kRelationships) + std::string(kModelType) +
                                                  "\"/>\n</Relationships>\n"},

@@ -6,6 +6,7 @@
 #include "dupin/io/msh.h"
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/same_mesh.h"
 
 namespace dupin {
@@ -25,6 +26,7 @@ const VolumeFormat* find_volume_format(std::string_view key_or_extension) {
 
 std::string verified_volume_bytes(const VolumeMesh& mesh, const VolumeFormat& format,
                                   const MeshHeader& header, std::string_view file) {
+  const UsualArithmetic usual;
   std::string bytes = format.write(mesh, header);
   const VolumeMesh read = format.read(bytes, file);
   // Corners are numbered in the order in which triangles have them, so places are compared.

@@ -11,6 +11,7 @@
 
 #include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "files/xml_events.h"
 #include "formats/vtk_arrays.h"
 #include "text/known_unit.h"
@@ -259,6 +260,7 @@ class VtpReader {
 }  // namespace
 
 TriMesh read_vtp(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   return VtpReader(bytes, file, false).mesh();
 }
 

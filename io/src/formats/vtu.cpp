@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "files/xml_events.h"
 #include "formats/volume_points.h"
 #include "formats/vtk_arrays.h"
@@ -102,6 +103,7 @@ class VtuReader {
 }  // namespace
 
 std::string vtu_text(const VolumeMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   const TriMesh& surface = mesh.surface;
   const std::vector<Vec3> points = formats::writable_points(mesh);
   const std::size_t cells = surface.triangles.size() + mesh.tetrahedra.size();
@@ -146,6 +148,7 @@ std::string vtu_text(const VolumeMesh& mesh, const MeshHeader& header) {
 }
 
 VolumeMesh read_vtu(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   return VtuReader(bytes, file).mesh();
 }
 

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "text/byte_order_mark.h"
 #include "text/line_counter.h"
 #include "text/lower_case.h"
@@ -114,6 +115,7 @@ bool is_graph_file(const std::filesystem::path& file) {
 
 PipeGraph parse_swc(std::string_view text, const std::string& source,
                     std::vector<SourceNote>* notes) {
+  const UsualArithmetic usual;
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
   text::LineCounter lines(text);
@@ -155,6 +157,7 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
 
 PipeGraph parse_graph(std::string_view text, const std::string& source,
                       std::vector<SourceNote>* notes) {
+  const UsualArithmetic usual;
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
   text::LineCounter lines(text);
@@ -196,6 +199,7 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
 
 PipeGraph parse_graph_file(std::string_view text, const std::string& source,
                            std::vector<SourceNote>* notes) {
+  const UsualArithmetic usual;
   text::refuse_utf16(text, source);
   const bool is_swc = is_graph_file(source) ? extension_of(source) == ".swc"
                                             : format_of_text(text) == GraphFormat::swc;

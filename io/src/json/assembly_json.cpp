@@ -190,6 +190,7 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
 }  // namespace
 
 AssemblyDocument parse_document(std::string_view text, const std::string& source) {
+  const UsualArithmetic usual;
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
   json::allow_only(document, {"$schema", "units", "tolerance", "segments", "wall", "wall_side",
@@ -205,6 +206,7 @@ AssemblyDocument parse_document(std::string_view text, const std::string& source
         const std::size_t first = assembly.parts.size();
         assembly.parts.resize(first + some.size());
         for_each_in_parallel(some.size(), [&](std::size_t i) {
+          const UsualArithmetic workers;
           const std::string own = document_place({}, static_cast<std::uint32_t>(first + i));
           assembly.parts[first + i] = part(some[i], source, assembly.unit);
           assembly.parts[first + i].pointer = some[i].pointer == own ? "" : some[i].pointer;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -392,6 +393,7 @@ Json written(const Part& part) {
 }  // namespace
 
 std::string document_text(const Assembly& assembly) {
+  const UsualArithmetic usual;
   Json head = {{"units", symbol(assembly.unit)}, {"tolerance", assembly.tolerance}};
   if (assembly.segments) {
     head["segments"] = *assembly.segments;

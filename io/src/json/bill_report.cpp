@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 #include "pcf/nominal_pipe.h"
 
@@ -99,12 +100,14 @@ BillOrigin origin(const BillReport& report, const BillRow& row) {
 }
 
 std::optional<double> mass(const BillReport& report, double volume) {
+  const UsualArithmetic usual;
   const double metres = millimetres(report.bill.unit) / 1000;
   return report.density ? std::optional(*report.density * volume * metres * metres * metres)
                         : std::nullopt;
 }
 
 std::string size_text(const std::vector<EndSize>& sizes, Unit unit) {
+  const UsualArithmetic usual;
   std::vector<std::string> ends;
   ends.reserve(sizes.size());
   for (const EndSize& size : sizes) {
@@ -121,6 +124,7 @@ std::string size_text(const std::vector<EndSize>& sizes, Unit unit) {
 }
 
 std::vector<TakeOff> take_off(const BillReport& report) {
+  const UsualArithmetic usual;
   const auto key = [&](const BillRow& row) {
     return std::tuple(origin(report, row).kind, row.kind, size_text(row.sizes, report.bill.unit),
                       row.wall, shortened(row.bend_radius, 1),
@@ -144,6 +148,7 @@ std::vector<TakeOff> take_off(const BillReport& report) {
 }
 
 BillTotals totals(const BillOfMaterials& bill) {
+  const UsualArithmetic usual;
   BillTotals sum;
   for (const BillRow& row : bill.rows) {
     sum.area += row.area.value_or(0);
@@ -157,6 +162,7 @@ BillTotals totals(const BillOfMaterials& bill) {
 }
 
 std::string to_json(const BillReport& report) {
+  const UsualArithmetic usual;
   using json::Json;
   Json rows = Json::array();
   for (const BillRow& row : report.bill.rows) {

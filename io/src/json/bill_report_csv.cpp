@@ -3,6 +3,7 @@
 
 #include "dupin/io/bill_report.h"
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -133,6 +134,7 @@ BillRow sum_of(const BillOfMaterials& bill) {
 }  // namespace
 
 std::string to_csv(const BillReport& report) {
+  const UsualArithmetic usual;
   std::string result = head(report.bill.unit);
   for (const BillRow& row : report.bill.rows) {
     result += cells(row, report, origin(report, row));

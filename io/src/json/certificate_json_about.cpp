@@ -8,6 +8,7 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "json/certificate_seal.h"
 
 namespace dupin {
@@ -44,6 +45,7 @@ void verify(const Certificate& certificate, const std::string& source) {
 }
 
 JointFit widest_joint(const Certificate& certificate) {
+  const UsualArithmetic usual;
   JointFit widest;
   for (const PartClaims& claims : certificate.claims) {
     for (const TangencyClaim& claim : claims.tangency) {
@@ -56,12 +58,14 @@ JointFit widest_joint(const Certificate& certificate) {
 
 void require_about(const Certificate& certificate, std::string_view document,
                    const std::string& source) {
+  const UsualArithmetic usual;
   require_digest(certificate, document, source);
   require_about(certificate, document, parse_assembly(document, source));
 }
 
 void require_about(const Certificate& certificate, std::string_view document,
                    const Assembly& assembly) {
+  const UsualArithmetic usual;
   require_digest(certificate, document, assembly.source);
   const auto require = [&](bool holds, const std::string& reason, const std::string& part = {}) {
     dupin::require(holds, assembly.source, reason, part);

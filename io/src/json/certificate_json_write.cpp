@@ -254,6 +254,7 @@ std::string certificate_json(const Certificate& certificate) {
 }
 
 std::string certificate_summary_json(const Certificate& certificate) {
+  const UsualArithmetic usual;
   Json parts = Json::array();
   for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
     const PartClaims& claims = certificate.claims[i];

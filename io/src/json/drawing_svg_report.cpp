@@ -1,12 +1,14 @@
 #include <algorithm>
 
 #include "dupin/io/drawing_svg.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
 
 std::string drawing_report_json(const Drawing& drawing, const DrawingScale& scale,
                                 const std::string& file, const SheetOptions& options) {
+  const UsualArithmetic usual;
   using json::Json;
   const Eigen::Vector2d size = size_on_paper(drawing, scale, options);
   const auto count = [&](LineKind kind) {

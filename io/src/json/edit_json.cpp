@@ -7,6 +7,7 @@
 
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_document.h"
 #include "json/json_span.h"
 
@@ -78,6 +79,7 @@ std::vector<JsonStep> steps_to(const Json& document, const Assembly& assembly, s
 
 std::string with_chain(std::string_view text, const std::string& source, std::uint32_t part,
                        const CyclideChainThrough& chain) {
+  const UsualArithmetic usual;
   const Assembly assembly = parse_assembly(text, source);
   const auto& before = std::get<CyclideChainThrough>(assembly.parts.at(part).shape);
   const Json document = Json::parse(text);

@@ -180,6 +180,7 @@ Json parse_json(std::string_view text, const std::string& source) {
   }
   Json result;
   for_each_in_parallel(2, [&](std::size_t task) {
+    const UsualArithmetic usual;
     if (task == 0) {
       require_keys();
     } else {

@@ -25,7 +25,10 @@ using Json = nlohmann::ordered_json;
 template <class Value, class Make>
 [[nodiscard]] Json json_list(const std::vector<Value>& values, const Make& make) {
   Json::array_t result(values.size());
-  for_each_in_parallel(values.size(), [&](std::size_t i) { result[i] = make(values[i]); });
+  for_each_in_parallel(values.size(), [&](std::size_t i) {
+    const UsualArithmetic usual;  // a worker's is not the caller's
+    result[i] = make(values[i]);
+  });
   return result;
 }
 

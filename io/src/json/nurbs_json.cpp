@@ -1,5 +1,6 @@
 #include "dupin/io/nurbs_json.h"
 
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -16,6 +17,7 @@ Json surface_json(const NurbsSurface& surface) {
 }  // namespace
 
 std::string nurbs_json(const std::vector<NamedNurbs>& parts, Unit unit) {
+  const UsualArithmetic usual;
   Json values = Json::array();
   for (const auto& [part, kind, form] : parts) {
     Json surfaces = Json::array();
@@ -35,6 +37,7 @@ std::string nurbs_json(const std::vector<NamedNurbs>& parts, Unit unit) {
 }
 
 std::string nurbs_report_json(const std::vector<NamedNurbs>& parts, const std::string& file) {
+  const UsualArithmetic usual;
   Json values = Json::array();
   for (const auto& [part, kind, form] : parts) {
     values.push_back({{"part", part},

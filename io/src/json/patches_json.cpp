@@ -1,6 +1,7 @@
 #include "dupin/io/patches_json.h"
 
 #include "dupin/kernel/interior_point.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/patch.h"
 #include "json/json_value.h"
 
@@ -28,6 +29,7 @@ Json component_json(const std::optional<InteriorPoint>& point) {
 }  // namespace
 
 std::string patches_json(const Rounded& solid, const std::string& file, const MeshHeader& header) {
+  const UsualArithmetic usual;
   double area = 0;
   Json patches = Json::array(), components = Json::array();
   for (const Patch& patch : patches_of(solid.mesh())) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/parallel.h"
 #include "json/expansion.h"
 #include "json/json_document.h"
 #include "text/byte_order_mark.h"
@@ -278,6 +279,7 @@ void refuse_meshes(const Part& part) {
 
 PlacedDocument placed_document(std::string_view text, const std::string& source,
                                const Placement& placement) {
+  const UsualArithmetic usual;
   const Assembly assembly = parse_assembly(text, source);
   std::ranges::for_each(assembly.parts, refuse_meshes);
   if (json::is_abbreviated(Json::parse(text))) {  // an expression cannot say the nearest double

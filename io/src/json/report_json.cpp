@@ -1,5 +1,6 @@
 #include "dupin/io/report_json.h"
 
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -219,6 +220,7 @@ std::string_view name(Verification verification) {
 }
 
 Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {
+  const UsualArithmetic usual;
   Eigen::AlignedBox3d box;
   for (const Vec3& point : mesh.points) {
     box.extend(point);
@@ -226,17 +228,25 @@ Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {
   return box;
 }
 
-std::string to_json(const Report& report) { return json::text(json::json_value(report)); }
+std::string to_json(const Report& report) {
+  const UsualArithmetic usual;
+  return json::text(json::json_value(report));
+}
 
-std::string to_json(const OutputReport& report) { return json::text(json::json_value(report)); }
+std::string to_json(const OutputReport& report) {
+  const UsualArithmetic usual;
+  return json::text(json::json_value(report));
+}
 
 std::string to_json(const PlacedDocumentReport& report) {
+  const UsualArithmetic usual;
   return json::text({{"file", report.file},
                      {"unit", symbol(report.unit)},
                      {"placement", json::json_value(report.placement)}});
 }
 
 std::string to_json(const MeshSummary& summary) {
+  const UsualArithmetic usual;
   json::Json object{{"file", summary.file}, {"kind", "mesh"}};
   if (!summary.unit.empty()) {
     object["unit"] = summary.unit;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "dupin/io/report_json.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -99,6 +100,7 @@ Json notes_json(const std::vector<SourceNote>& all) {
 }  // namespace json
 
 std::string to_json(const Assembly& assembly) {
+  const UsualArithmetic usual;
   const auto part_json = [](const Part& part) -> json::Json {
     return {{"name", part.name}, {"kind", kind(part.shape)}};
   };
@@ -118,6 +120,7 @@ json::Json moved_sphere(std::size_t sphere, const PeVector& value) {
 }  // namespace
 
 std::string to_json(const EditReport& report) {
+  const UsualArithmetic usual;
   json::Json spheres = json::Json::array(), turned = json::Json::array();
   for (const auto& [sphere, value] : report.spheres) {
     spheres.push_back(moved_sphere(sphere, value));
@@ -137,6 +140,7 @@ std::string to_json(const EditReport& report) {
 }
 
 std::string to_json(const BuildReport& report) {
+  const UsualArithmetic usual;
   json::Json all = {{"unit", symbol(report.gaps.unit)},
                     {"runs", report.runs},
                     {"pieces", report.pieces},
@@ -160,6 +164,7 @@ std::string to_json(const BuildReport& report) {
 }
 
 std::string source_json(const BuildReport& report) {
+  const UsualArithmetic usual;
   json::Json all = json::Json::object();
   json::put_source(all, report);
   return json::text(all);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "dupin/io/report_json.h"
+#include "dupin/kernel/parallel.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -124,9 +125,13 @@ std::size_t MeshGapSummary::findings() const {
          (apart ? 1 : 0);
 }
 
-std::string to_json(const GapSummary& summary) { return json::text(json::json_value(summary)); }
+std::string to_json(const GapSummary& summary) {
+  const UsualArithmetic usual;
+  return json::text(json::json_value(summary));
+}
 
 std::string to_json(const MeshGapSummary& summary) {
+  const UsualArithmetic usual;
   return json::text(json::mesh_gap_json(summary));
 }
 

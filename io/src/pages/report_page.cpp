@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "pages/packed_mesh.h"
 #include "pages/page_files.h"
 #include "text/base64.h"
@@ -147,6 +148,7 @@ std::string filled_in(std::string_view page,
 bool has_page_viewer() { return !pages::page_files().library.empty(); }
 
 std::string report_page_html(const ReportPage& page) {
+  const UsualArithmetic usual;
   const pages::PageFiles files = pages::page_files();
   if (files.library.empty()) {
     throw Error(Errc::invalid_argument,

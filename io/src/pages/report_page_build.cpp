@@ -7,6 +7,7 @@
 #include "dupin/io/report_page.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/wall_thickness.h"
 #include "pages/page_parts.h"
 #include "pages/page_sections.h"
@@ -309,6 +310,7 @@ class BuiltPage {
 }  // namespace
 
 ReportPage report_page(const BuiltDocument& built, TriMesh mesh) {
+  const UsualArithmetic usual;
   return BuiltPage(built, std::move(mesh)).page();
 }
 

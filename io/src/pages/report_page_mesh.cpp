@@ -7,6 +7,7 @@
 
 #include "dupin/io/report_page.h"
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/patch.h"
 #include "dupin/kernel/wall_thickness.h"
 #include "pages/page_parts.h"
@@ -105,6 +106,7 @@ std::vector<PagePart> parts_of_names(const std::vector<std::string>& names) {
 }  // namespace
 
 ReportPage report_page(const MeshSummary& summary) {
+  const UsualArithmetic usual;
   ReportPage page;
   page.title = std::filesystem::path(summary.file).filename().string();
   page.unit = summary.unit;

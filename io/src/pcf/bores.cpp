@@ -7,6 +7,7 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "pcf/wall_schedule.h"
 
 namespace dupin::pcf {
@@ -89,6 +90,7 @@ void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning 
 namespace dupin {
 
 void give_walls(PcfFile& file, const std::string& schedule) {
+  const UsualArithmetic usual;
   const auto refuse = [&](const std::string& why) {
     throw Error(Errc::invalid_argument, why, {}, file.line.source);
   };

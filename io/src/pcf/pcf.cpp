@@ -9,6 +9,7 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "pcf/bores.h"
 #include "pcf/nominal_pipe.h"
 #include "pcf/records.h"
@@ -513,6 +514,7 @@ bool is_pcf_text(std::string_view text) {
 }
 
 PcfFile parse_pcf(std::string_view text, const std::string& source, BoreMeaning bores) {
+  const UsualArithmetic usual;
   text::refuse_utf16(text, source);
   return PcfReader(text, source, bores).run();
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "dupin/kernel/parallel.h"
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
 #include "text/label_colour.h"
@@ -51,6 +52,7 @@ void append_around(const MeshBorder& own, const MeshBorder& other, TriMesh& mesh
 void PlyStream::append(const MeshPiece& piece, std::size_t) { meshes_.append(piece); }
 
 void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
+  const UsualArithmetic usual;
   meshes_.number_labels();
   std::vector<std::size_t> pieces(meshes_.size());
   std::iota(pieces.begin(), pieces.end(), 0);

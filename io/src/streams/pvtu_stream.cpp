@@ -9,6 +9,7 @@
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "files/placed_file.h"
 #include "streams/point_numbers.h"
 
@@ -171,6 +172,7 @@ bool PvtuStream::is_own(const std::vector<std::size_t>& pieces) const {
 }
 
 void PvtuStream::commit(const MeshHeader& header, const Normals&) {
+  const UsualArithmetic usual;
   meshes_.number_labels();
   if (files_.empty()) {
     files_[0];  // readers want one

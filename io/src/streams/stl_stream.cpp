@@ -15,6 +15,7 @@
 #include "dupin/io/stl.h"
 #include "dupin/io/system_error.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "files/descriptor.h"
 #include "files/placed_file.h"
 #include "formats/stl_binary.h"
@@ -129,6 +130,7 @@ StlFile::StlFile(const std::filesystem::path& path)
 }
 
 void StlFile::visit(const std::function<void(std::span<const Facet>)>& visit) const {
+  const UsualArithmetic usual;
   constexpr std::uint64_t kAtOnce = 1 << 14;
   std::vector<Facet> facets;
   for (std::uint64_t first = 0; first < count_; first += kAtOnce) {
@@ -144,6 +146,7 @@ void StlFile::visit(const std::function<void(std::span<const Facet>)>& visit) co
 }
 
 TriMesh StlFile::mesh() const {
+  const UsualArithmetic usual;
   formats::StlMesh mesh(count_);
   visit([&](std::span<const Facet> facets) {
     for (const Facet& facet : facets) {

@@ -9,6 +9,7 @@
 #include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
 #include "dupin/io/stl_stream.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/stl_binary.h"
 #include "streams/ply_stream.h"
 #include "streams/pvtu_stream.h"
@@ -33,6 +34,7 @@ bool is_streamed(const MeshFormat& format) {
 }
 
 MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string_view file) {
+  const UsualArithmetic usual;
   if (format == kPvtu) {  // compared as it is written
     return streams::spilled_piece(solid.mesh());
   }
@@ -47,6 +49,7 @@ MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string
 
 MeshPiece without(MeshPiece piece, const TriMesh& mesh, const MeshFormat& format,
                   std::span<const std::uint32_t> triangles, std::span<const std::string> names) {
+  const UsualArithmetic usual;
   if (format != kStlBinary) {
     return streams::open_piece(mesh, triangles, names);
   }

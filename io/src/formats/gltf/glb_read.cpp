@@ -9,6 +9,7 @@
 
 #include "dupin/io/glb.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/gltf/glb_document.h"
 #include "formats/gltf/glb_layout.h"
 #include "formats/gltf/glb_scene.h"
@@ -416,6 +417,7 @@ class GlbReader {
 }  // namespace
 
 TriMesh read_glb(std::string_view bytes, std::string_view file) {
+  const UsualArithmetic usual;
   const formats::GlbDocument document(bytes, file);
   return GlbReader(document).read();
 }

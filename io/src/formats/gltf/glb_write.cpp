@@ -13,6 +13,7 @@
 
 #include "dupin/io/glb.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "formats/gltf/glb_layout.h"
 #include "formats/placed_mesh.h"
 #include "formats/split_points.h"
@@ -213,6 +214,7 @@ void add_geometry(Content& content, const TriMesh& mesh, const formats::SplitPoi
 }  // namespace
 
 std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const UsualArithmetic usual;
   std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
   formats::SplitPoints split;
   if (!header.normals.empty()) {
