@@ -3,9 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "dupin/kernel/error.h"
+#include "text/json_type.h"
 
 // This folder: documents, edits, reports and certificates as JSON. A value is read through a
 // JsonNode, which knows its place ("file#/parts/3/pipe"), so that every fault names it;
@@ -16,7 +15,7 @@
 
 namespace dupin::json {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 /// JSON text as a value. Throws Error{parse_failed} with "source:line:column" for text that is not
 /// JSON or is nested too deep, and with "source#/json/pointer" for an object that repeats a key or

@@ -3,16 +3,15 @@
 #include <cstddef>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/parallel.h"
 #include "dupin/kernel/vec.h"
+#include "text/json_type.h"
 
 namespace dupin::json {
 
 /// Keeps the order in which keys are added.
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 [[nodiscard]] Json json_value(const Vec3& point);
 [[nodiscard]] Json json_value(const Report& report);

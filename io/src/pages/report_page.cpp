@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "pages/packed_mesh.h"
 #include "pages/page_files.h"
 #include "text/base64.h"
+#include "text/json_type.h"
 #include "text/mesh_text.h"
 
 namespace dupin {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 

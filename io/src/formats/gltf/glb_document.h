@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
+#include "text/json_type.h"
 
 namespace dupin::formats {
 
@@ -14,7 +14,7 @@ namespace dupin::formats {
 /// fail with its place.
 class GlbDocument {
  public:
-  using Json = nlohmann::json;
+  using Json = text::SortedJson;
 
   /// Throws Error{parse_failed} with "file:byte N". The bytes have to outlive this.
   GlbDocument(std::string_view file_bytes, std::string_view file);

@@ -9,14 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "dupin/io/glb.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "formats/gltf/glb_layout.h"
 #include "formats/placed_mesh.h"
 #include "formats/split_points.h"
+#include "text/json_type.h"
 #include "text/known_unit.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
@@ -28,7 +27,7 @@
 namespace dupin {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 /// Metres per unit.
 double metres(std::string_view unit) {
@@ -150,6 +149,7 @@ void add_nodes(Json& json, Json root, const TriMesh& mesh, Content& content) {
     if (is_new) {
       meshes.push_back({{"name", part}, {"primitives", Json::array()}});
       nodes.push_back({{"name", part}, {"mesh", place->second}});
+      root.emplace("children", Json::array());
       root["children"].push_back(nodes.size());
     }
     meshes[place->second]["primitives"].push_back(std::move(primitive));
@@ -171,6 +171,7 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
     json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
   }
   if (content.copies) {
+    json["asset"].emplace("extras", Json::object());
     json["asset"]["extras"][formats::kGlbCopies] = *content.copies;
   }
   if (content.primitives.empty()) {
