@@ -17,6 +17,7 @@
 
 #include "dupin/io/scratch_file.h"
 #include "dupin/io/system_error.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
 
@@ -230,14 +231,15 @@ int fill(Descriptor& file, std::string_view bytes, const Target& target) {
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
+std::string files::read_whole(const fs::path& path, std::uint64_t most) {
   const Descriptor file = opened(path);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) {
     fail("read the file", path, errno);
   }
-  std::string bytes(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536,
-                    '\0');
+  const std::uint64_t size =
+      S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : 0;
+  std::string bytes(S_ISREG(status.st_mode) ? size + 1 : 65536, '\0');
   for (std::size_t filled = 0;;) {
     const std::size_t taken = read_some(file, std::span(bytes).subspan(filled), path);
     filled += taken;
@@ -245,10 +247,24 @@ std::string read_file(const fs::path& path) {
       bytes.resize(filled);
       return bytes;
     }
+    if (filled > size && filled - size > most) {
+      throw Error(Errc::limit_exceeded,
+                  "is a pipe, a device or grows, and has not ended after " +
+                      decimal_at_most(double(filled) / 1e6) + " MB; allowed are " +
+                      decimal_at_most(double(most) / 1e6) + " MB, or a regular file of any size",
+                  {}, path.string());
+    }
     if (filled == bytes.size()) {
       bytes.resize(2 * bytes.size());
     }
   }
+}
+
+// While the bytes are moved to more memory, they take three times as much.
+std::string read_file(const fs::path& path) {
+  const auto memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                      static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  return files::read_whole(path, memory / 4);
 }
 
 AsideFile::AsideFile(const fs::path& path, std::string_view bytes) {

@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <unistd.h>
@@ -48,5 +50,9 @@ constexpr int kEnded = -1;
   }
   return 0;
 }
+
+/// All of a file, which grows beyond the size that the system says by so many bytes at most: pipes
+/// and devices may have no end.
+[[nodiscard]] std::string read_whole(const std::filesystem::path& path, std::uint64_t most);
 
 }  // namespace dupin::files
