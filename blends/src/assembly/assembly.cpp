@@ -17,8 +17,8 @@ std::string document_place(const Assembly& assembly, std::uint32_t part, std::st
   const bool has_own = part < assembly.parts.size() && !assembly.parts[part].pointer.empty();
   std::string place = document_place(
       assembly, has_own ? assembly.parts[part].pointer : "/parts/" + std::to_string(part));
-  if (!key.empty() && !assembly.is_of_network) {
-    const Part& own = assembly.parts.at(part);
+  if (!key.empty() && !assembly.is_of_network && part < assembly.parts.size()) {
+    const Part& own = assembly.parts[part];
     place +=
         "/" + (own.key.empty() ? std::string(kind(own.shape)) : own.key) + "/" + std::string(key);
   }

@@ -3,7 +3,10 @@
 #include <numbers>
 
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "dupin/kernel/printable.h"
 #include "json/json_value.h"
 
 namespace dupin {
@@ -390,6 +393,52 @@ Json written(const Part& part) {
   return json;
 }
 
+/// What of a value JSON has no text for, and where: it would become null, or another name.
+struct Unwritable {
+  std::string pointer, reason;
+};
+
+std::optional<Unwritable> unwritable_text(const Json& value) {
+  try {
+    (void)value.dump();
+    return std::nullopt;
+  } catch (const Json::type_error&) {
+    return Unwritable{
+        {}, "'" + printable(value.get<std::string>()) + "' is no UTF-8, as texts of JSON are"};
+  }
+}
+
+std::optional<Unwritable> unwritable(const Json& value) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+    return Unwritable{{}, "numbers must be finite, not " + decimal(value.get<double>())};
+  }
+  if (value.is_string()) {
+    return unwritable_text(value);
+  }
+  if (!value.is_structured()) {
+    return std::nullopt;
+  }
+  std::size_t index = 0;
+  for (auto element = value.begin(); element != value.end(); ++element, ++index) {
+    auto found = value.is_object() ? unwritable_text(element.key()) : std::nullopt;
+    found = found ? found : unwritable(*element);
+    if (found) {
+      found->pointer.insert(
+          0, "/" + (value.is_object() ? printable(element.key()) : std::to_string(index)));
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+void require_writable(const Json& value, const std::string& part, const std::string& place,
+                      bool has_keys) {
+  if (const auto found = unwritable(value)) {
+    throw Error(Errc::invalid_argument, found->reason, printable(part),
+                place + (has_keys ? found->pointer : ""));
+  }
+}
+
 }  // namespace
 
 std::string document_text(const Assembly& assembly) {
@@ -410,14 +459,18 @@ std::string document_text(const Assembly& assembly) {
   if (!assembly.patches.empty()) {
     head["patches"] = assembly.patches;
   }
+  require_writable(head, {}, document_place(assembly, std::string_view()), !assembly.is_of_network);
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {
     text += " \"" + key + "\": " + json::text(value) + ",\n";
   }
   text += " \"parts\": [";
   std::string_view separator = "\n";
-  for (const Part& part : assembly.parts) {
-    text += std::string(separator) + "  " + json::line_text(written(part));
+  for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
+    const Json part = written(assembly.parts[i]);
+    require_writable(part, assembly.parts[i].name, document_place(assembly, i),
+                     !assembly.is_of_network);
+    text += std::string(separator) + "  " + json::line_text(part);
     separator = ",\n";
   }
   return text + "\n ]\n}\n";

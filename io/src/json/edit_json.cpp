@@ -1,6 +1,7 @@
 #include "dupin/io/edit_json.h"
 
 #include <charconv>
+#include <cmath>
 #include <system_error>
 #include <variant>
 #include <vector>
@@ -75,13 +76,48 @@ std::vector<JsonStep> steps_to(const Json& document, const Assembly& assembly, s
   return steps;
 }
 
+// The chain that the part is, whose spheres the new one has.
+const CyclideChainThrough& chain_before(const Assembly& assembly, std::uint32_t part,
+                                        const CyclideChainThrough& chain) {
+  if (part >= assembly.parts.size()) {
+    throw Error(Errc::invalid_argument,
+                "there is no part " + std::to_string(part) + "; the document has " +
+                    std::to_string(assembly.parts.size()),
+                {}, assembly.source);
+  }
+  const auto* const before = std::get_if<CyclideChainThrough>(&assembly.parts[part].shape);
+  const auto fail = [&](const std::string& message, std::string_view key) {
+    throw Error(Errc::invalid_argument, message, assembly.parts[part].name,
+                document_place(assembly, part, key));
+  };
+  if (before == nullptr) {
+    fail("the part is no cyclide_chain, and cannot become one", {});
+  } else if (chain.spheres.size() != before->spheres.size()) {
+    fail("the chain has to keep its " + std::to_string(before->spheres.size()) +
+             " spheres; the new one has " + std::to_string(chain.spheres.size()),
+         "spheres");
+  }
+  const auto require_finite = [&](const PeVector& v, const std::string& key) {
+    if (!v.m.allFinite() || !std::isfinite(v.r)) {
+      fail("the numbers of spheres and tangents must be finite", key);
+    }
+  };
+  for (std::size_t i = 0; i < chain.spheres.size(); ++i) {
+    require_finite(chain.spheres[i], "spheres/" + std::to_string(i));
+  }
+  for (std::size_t i = 0; i < chain.tangents.size(); ++i) {
+    require_finite(chain.tangents[i].tangent, "tangents/" + std::to_string(i));
+  }
+  return *before;
+}
+
 }  // namespace
 
 std::string with_chain(std::string_view text, const std::string& source, std::uint32_t part,
                        const CyclideChainThrough& chain) {
   const UsualArithmetic usual;
   const Assembly assembly = parse_assembly(text, source);
-  const auto& before = std::get<CyclideChainThrough>(assembly.parts.at(part).shape);
+  const CyclideChainThrough& before = chain_before(assembly, part, chain);
   const Json document = Json::parse(text);
   std::vector<JsonStep> place = steps_to(document, assembly, part);
   place.emplace_back(std::string("cyclide_chain"));

@@ -13,6 +13,7 @@ TEST(Assembly, knows_places_in_its_document) {
   EXPECT_EQ(document_place(assembly, "/tolerance"), "d.json#/tolerance");
   EXPECT_EQ(document_place(assembly, 1), "d.json#/parts/1");
   EXPECT_EQ(document_place(assembly, 1, "center/0"), "d.json#/parts/1/sphere/center/0");
+  EXPECT_EQ(document_place(assembly, 999, "center/0"), "d.json#/parts/999");  // there is none
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -7,6 +9,8 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
+#include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/source_folder.h"
 
 namespace dupin {
@@ -73,6 +77,30 @@ TEST(DocumentText, keeps_the_head_and_a_part_on_each_line) {
  ]
 }
 )");
+}
+
+TEST(DocumentText, what_JSON_cannot_say_is_refused) {
+  const Assembly good = parse_assembly(
+      head_and_parts(
+          R"({"name": "a", "pipe": {"from": [0, 0, 0], "to": [0, 0, 1], "radius": 2}},
+             {"name": "b", "pipe": {"from": [0, 0, 5], "to": [0, 0, 9], "radius": 2}})"),
+      "d.json");
+  const auto said = [&](const auto& change) {
+    Assembly bad = good;
+    change(bad, std::get<PipeBetween>(bad.parts[1].shape));
+    return test::message_of([&] { (void)document_text(bad); }, Errc::invalid_argument);
+  };
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(said([](Assembly&, PipeBetween& pipe) { pipe.radius = kInfinite; }),
+            "d.json#/parts/1/pipe/radius: 'b': numbers must be finite, not inf");
+  EXPECT_EQ(said([](Assembly&, PipeBetween& pipe) { pipe.to.y() = std::nan(""); }),
+            "d.json#/parts/1/pipe/to/1: 'b': numbers must be finite, not nan");
+  EXPECT_EQ(said([](Assembly& bad, PipeBetween&) { bad.tolerance = -kInfinite; }),
+            "d.json#/tolerance: numbers must be finite, not -inf");
+  EXPECT_EQ(said([](Assembly& bad, PipeBetween&) { bad.parts[1].name = "b\xff"; }),
+            "d.json#/parts/1/name: 'b\\xff': 'b\\xff' is no UTF-8, as texts of JSON are");
+  EXPECT_EQ(said([](Assembly& bad, PipeBetween&) { bad.patches["\xff"] = "x"; }),
+            "d.json#/patches/\\xff: '\\xff' is no UTF-8, as texts of JSON are");
 }
 
 // Every key in each of its forms, whether it makes sense or not.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -135,6 +136,33 @@ TEST(EditJson, refuses_a_chain_that_an_entry_around_it_copies) {
   EXPECT_EQ(
       test::message_of([&] { (void)with_chain(text, "d.json", 2, chain); }, Errc::invalid_argument),
       "d.json#/parts/1/parts/1/parts/0: 'b': a copy that \"for\" makes cannot be changed alone");
+}
+
+TEST(EditJson, refuses_what_is_no_edit_of_the_chain) {
+  const std::string text = in_groups("");
+  const auto chain = std::get<CyclideChainThrough>(parse_assembly(text).parts.at(2).shape);
+  const auto said = [&](std::uint32_t part, const CyclideChainThrough& edited) {
+    return test::message_of([&] { (void)with_chain(text, "d.json", part, edited); },
+                            Errc::invalid_argument);
+  };
+  EXPECT_EQ(said(3, chain), "d.json: there is no part 3; the document has 3");
+  EXPECT_EQ(said(0, chain),
+            "d.json#/parts/0: 'first': the part is no cyclide_chain, and cannot become one");
+  CyclideChainThrough edited = chain;
+  edited.spheres.push_back(sphere(6, 0, 0, 1));
+  EXPECT_EQ(said(2, edited),
+            "d.json#/parts/1/parts/1/parts/0/cyclide_chain/spheres: 'b': the chain has to keep its "
+            "3 spheres; the new one has 4");
+  edited = chain;
+  edited.spheres[1].r = std::nan("");
+  EXPECT_EQ(said(2, edited),
+            "d.json#/parts/1/parts/1/parts/0/cyclide_chain/spheres/1: 'b': the numbers of spheres "
+            "and tangents must be finite");
+  edited = chain;
+  edited.tangents = {{1, sphere(std::numeric_limits<double>::infinity(), 0, 0, 0)}};
+  EXPECT_EQ(said(2, edited),
+            "d.json#/parts/1/parts/1/parts/0/cyclide_chain/tangents/0: 'b': the numbers of spheres "
+            "and tangents must be finite");
 }
 
 TEST(EditJson, keeps_a_byte_order_mark) {
