@@ -20,7 +20,7 @@ namespace dupin::streams {
 class PlyStream : public MeshStream {
  public:
   explicit PlyStream(const std::filesystem::path& path, const Processes* processes = nullptr)
-      : processes_(processes), file_(path, processes) {}
+      : processes_(processes), file_(path, processes), meshes_(path.string()) {}
 
   void append(const MeshPiece& piece, std::size_t file) override;
   void commit(const MeshHeader& header, const Normals& normals) override;

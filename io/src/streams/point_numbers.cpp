@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "dupin/kernel/error.h"
+
 namespace dupin::streams {
 
 std::uint32_t PointNumbers::of(std::uint32_t point) const {
@@ -29,8 +31,14 @@ NumberedPoints numbered_points(const SpilledMeshes& meshes, std::span<const std:
       own.shared.push_back({k, before, border});
       result.pieces[before].shared.push_back({border, i, k});
       const std::vector<std::uint32_t>& there = meshes.borders(pieces[before])[border].points;
+      if (borders[k].points.size() != there.size()) {
+        throw Error(Errc::invalid_argument,
+                    "the border '" + borders[k].name + "' has " + std::to_string(there.size()) +
+                        " points in one piece and " + std::to_string(borders[k].points.size()) +
+                        " in another one");
+      }
       for (std::size_t point = 0; point < there.size(); ++point) {
-        own.known.emplace_back(borders[k].points.at(point), result.pieces[before].of(there[point]));
+        own.known.emplace_back(borders[k].points[point], result.pieces[before].of(there[point]));
       }
     }
     std::ranges::sort(own.known);

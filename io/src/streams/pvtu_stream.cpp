@@ -130,7 +130,8 @@ std::string listed_name(const fs::path& pvtu, std::size_t number) {
 
 PvtuStream::PvtuStream(fs::path path, const Processes* processes)
     : path_(std::move(path)),
-      processes_(processes != nullptr && processes->count() > 1 ? processes : nullptr) {
+      processes_(processes != nullptr && processes->count() > 1 ? processes : nullptr),
+      meshes_(path_.string()) {
   index_ = files::joint_aside(path_, processes_);
 }
 

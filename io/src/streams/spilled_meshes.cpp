@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "dupin/kernel/error.h"
+#include "text/little_endian.h"
 #include "text/mesh_text.h"
 
 namespace dupin::streams {
@@ -139,7 +141,56 @@ MeshPiece open_piece(const TriMesh& mesh, std::span<const std::uint32_t> triangl
   return piece;
 }
 
+namespace {
+
+// That the numbers are below `end`.
+bool are_below(std::string_view bytes, std::uint64_t at, std::uint64_t count, std::uint64_t end) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (text::load<std::uint32_t>(bytes, at + i * sizeof(std::uint32_t)) >= end) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_whole(const MeshPiece& piece) {
+  const std::uint64_t triangles = piece.points * sizeof(Numbers),
+                      labels = triangles + piece.triangles * sizeof(Triangle);
+  const bool are_counts_right =
+      (piece.labels == 0 || piece.labels == piece.triangles) &&
+      (piece.is_elsewhere ||
+       piece.bytes.size() == labels + std::uint64_t{piece.labels} * sizeof(std::uint32_t));
+  return are_counts_right &&
+         std::ranges::all_of(piece.borders,
+                             [&](const MeshBorder& border) {
+                               return border.corners.size() == 3 * border.labels.size() &&
+                                      std::ranges::all_of(border.points, [&](std::uint32_t point) {
+                                        return point < piece.points;
+                                      });
+                             }) &&
+         (piece.is_elsewhere ||
+          (are_below(piece.bytes, triangles, 3 * std::uint64_t{piece.triangles}, piece.points) &&
+           are_below(piece.bytes, labels, piece.labels, piece.names.size())));
+}
+
+}  // namespace
+
+void SpilledMeshes::require_open() const {
+  if (are_numbered_) {
+    throw Error(Errc::invalid_argument,
+                "the file is committed: nothing can be appended, and it is committed once", {},
+                shown_);
+  }
+}
+
 void SpilledMeshes::append(const MeshPiece& piece) {
+  require_open();
+  if (!is_whole(piece)) {
+    throw Error(Errc::invalid_argument,
+                "the bytes, counts and names of a piece do not fit together; append what "
+                "mesh_piece() or without() has made for the same format",
+                {}, shown_);
+  }
   pieces_.push_back({arrays_.end(),
                      piece.points,
                      piece.triangles,
@@ -155,6 +206,8 @@ void SpilledMeshes::append(const MeshPiece& piece) {
 }
 
 void SpilledMeshes::number_labels() {
+  require_open();
+  are_numbered_ = true;
   if (!have_labels_) {
     names_ = pieces_.size() == 1 ? pieces_.front().names : std::vector<std::string>();
     return;

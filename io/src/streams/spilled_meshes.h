@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "dupin/io/mesh_stream.h"
@@ -55,13 +56,16 @@ class SpilledArrays {
 /// Pieces, put aside.
 class SpilledMeshes {
  public:
+  /// For the file that is shown so.
+  explicit SpilledMeshes(std::string shown = {}) : shown_(std::move(shown)) {}
+  /// Throws Error{invalid_argument} for what is no such piece, and when labels have numbers.
   void append(const MeshPiece& piece);
   [[nodiscard]] std::size_t size() const { return pieces_.size(); }
   [[nodiscard]] std::uint64_t points() const { return points_; }
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
 
   /// Behind the last one, and before the first is read: labels get the numbers that joined()
-  /// (dupin/kernel/districts.h) gives them.
+  /// (dupin/kernel/districts.h) gives them. Throws Error{invalid_argument} if they have.
   void number_labels();
   /// Of all labels; none, if no piece has any.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
@@ -92,6 +96,10 @@ class SpilledMeshes {
     std::vector<MeshBorder> borders;
   };
 
+  void require_open() const;
+
+  std::string shown_;
+  bool are_numbered_ = false;
   SpilledArrays arrays_;
   std::vector<Piece> pieces_;
   std::vector<std::string> names_;

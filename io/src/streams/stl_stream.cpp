@@ -85,12 +85,33 @@ StlStream::StlStream(const std::filesystem::path& path, const Processes* process
 
 StlStream::~StlStream() = default;
 
+namespace {
+
+void require_open(const std::unique_ptr<files::PlacedFile>& file, const std::string& shown) {
+  if (!file) {
+    throw Error(Errc::invalid_argument,
+                "the file is committed: nothing can be appended, and it is committed once", {},
+                shown);
+  }
+}
+
+}  // namespace
+
 void StlStream::append(const MeshPiece& piece, std::size_t) {
+  require_open(file_, shown_);
   const std::uint64_t count = piece.triangles;
   if (triangles_ + count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
   }
   if (!piece.is_elsewhere) {
+    if (piece.bytes.size() != kStlFacet * count) {
+      throw Error(Errc::invalid_argument,
+                  "a piece of " + std::to_string(count) + " triangles has " +
+                      std::to_string(piece.bytes.size()) + " bytes, not " +
+                      std::to_string(kStlFacet * count) +
+                      "; append what mesh_piece() or without() has made for the same format",
+                  {}, shown_);
+    }
     file_->write(kStlPreamble + kStlFacet * triangles_, piece.bytes);
   }
   triangles_ += count;
@@ -103,16 +124,25 @@ void StlStream::append(const MeshPiece& piece, std::size_t) {
   }
 }
 
-void StlStream::flush() { file_->flush(); }
+void StlStream::flush() {
+  require_open(file_, shown_);
+  file_->flush();
+}
 
 void StlStream::commit(const MeshHeader& header, const Normals&) {
+  require_open(file_, shown_);
   const std::string preamble =
       formats::stl_binary_preamble(names_.size() == 1 ? names_.front() : std::string(), header,
                                    static_cast<std::uint32_t>(triangles_));
   file_->commit(preamble);
+  file_.reset();
 }
 
-void StlStream::abandon() { file_->abandon(); }
+void StlStream::abandon() {
+  if (file_) {
+    file_->abandon();
+  }
+}
 
 StlFile::StlFile(const std::filesystem::path& path)
     : shown_(path.string()), file_(std::make_shared<const files::Descriptor>(opened(path))) {

@@ -9,6 +9,7 @@
 #include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
 #include "dupin/io/stl_stream.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "formats/stl_binary.h"
 #include "streams/ply_stream.h"
@@ -47,10 +48,43 @@ MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string
   return piece;
 }
 
+namespace {
+
+[[noreturn]] void refuse_triangle(std::uint32_t triangle, const std::string& reason) {
+  throw Error(Errc::invalid_argument,
+              "triangle " + std::to_string(triangle) + " cannot be left out: " + reason);
+}
+
+// That they are triangles of the piece, ascending; of formats with borders, that each is of one.
+void require_ends(std::uint64_t count, const TriMesh& mesh, bool have_borders,
+                  std::span<const std::uint32_t> triangles, std::span<const std::string> names) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::uint32_t triangle = triangles[i];
+    if (triangle >= count) {
+      refuse_triangle(triangle, "there are " + std::to_string(count));
+    }
+    if (i > 0 && triangle <= triangles[i - 1]) {
+      refuse_triangle(triangle, "the numbers have to ascend, each given once");
+    }
+    if (!have_borders) {
+      continue;
+    }
+    if (triangle >= mesh.labels.size() || mesh.labels[triangle] >= mesh.names.size() ||
+        std::ranges::count(names, mesh.names[mesh.labels[triangle]]) == 0) {
+      refuse_triangle(triangle, "its label is none of the names");
+    }
+  }
+}
+
+}  // namespace
+
 MeshPiece without(MeshPiece piece, const TriMesh& mesh, const MeshFormat& format,
                   std::span<const std::uint32_t> triangles, std::span<const std::string> names) {
   const UsualArithmetic usual;
-  if (format != kStlBinary) {
+  const bool is_stl = format == kStlBinary;
+  require_ends(is_stl ? piece.bytes.size() / formats::kStlFacet : mesh.triangles.size(), mesh,
+               !is_stl, triangles, names);
+  if (!is_stl) {
     return streams::open_piece(mesh, triangles, names);
   }
   std::string left;

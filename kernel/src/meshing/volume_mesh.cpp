@@ -1,13 +1,33 @@
 #include "dupin/kernel/volume_mesh.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "dupin/kernel/error.h"
 #include "support/none.h"
 
 namespace dupin {
+namespace {
+
+template <class Cells>
+void require_corners(const Cells& cells, std::size_t points, const std::string& kind) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const std::uint32_t corner : cells[i]) {
+      if (corner >= points) {
+        throw Error(Errc::invalid_argument, kind + " " + std::to_string(i) + " has the corner " +
+                                                std::to_string(corner) + "; there are " +
+                                                std::to_string(points) + " points");
+      }
+    }
+  }
+}
+
+}  // namespace
 
 VolumeMesh volume_mesh_of(TriMesh surface, std::vector<Tetrahedron> tetrahedra) {
+  require_corners(tetrahedra, surface.points.size(), "tetrahedron");
+  require_corners(surface.triangles, surface.points.size(), "triangle");
   enum class Place : std::uint8_t { nowhere, on_surface, inside };
   std::vector<Place> places(surface.points.size(), Place::nowhere);
   for (const Tetrahedron& tetrahedron : tetrahedra) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/io/atomic_file.h"
@@ -11,12 +12,14 @@
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "io/streams/pieces.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 #include "support/thread_processes.h"
 
 namespace dupin::test {
 namespace {
 
+using testing::HasSubstr;
 using MeshStreams = ScratchDirectory;
 
 TEST_F(MeshStreams, are_of_three_formats) {
@@ -102,6 +105,65 @@ TEST_F(MeshStreams, take_pieces_without_some_of_their_triangles) {
   EXPECT_TRUE(left.bytes == whole.bytes.substr(50, 50) + whole.bytes.substr(150));
   EXPECT_TRUE(without(whole, mesh, kStlBinary, {}, names).bytes == whole.bytes);
   EXPECT_TRUE(without(whole, mesh, kStlBinary, {}, std::vector<std::string>{"a"}).names.empty());
+}
+
+TEST_F(MeshStreams, refuse_pieces_that_are_none_of_theirs) {
+  const Pieces pieces({"a"}, Coordinates::binary32);
+  for (const MeshFormat& format : {kStlBinary, kPlyBinary, kPvtu}) {
+    const MeshPiece good = mesh_piece(pieces.rounded[0], format, "out");
+    const auto said = [&](const auto& change) {
+      MeshPiece bad = good;
+      change(bad);
+      const auto stream = mesh_stream(path("out"), format);
+      return message_of([&] { stream->append(bad, 0); }, Errc::invalid_argument);
+    };
+    EXPECT_THAT(said([](MeshPiece& bad) { ++bad.triangles; }), HasSubstr("mesh_piece()"));
+    EXPECT_THAT(said([](MeshPiece& bad) { bad.bytes.pop_back(); }), HasSubstr("mesh_piece()"));
+    if (format == kStlBinary) {
+      continue;
+    }
+    EXPECT_THAT(said([](MeshPiece& bad) { bad.points += 1000000; }), HasSubstr("fit together"));
+    EXPECT_THAT(said([](MeshPiece& bad) { bad.labels = 1; }), HasSubstr("fit together"));
+    EXPECT_THAT(said([](MeshPiece& bad) { bad.names.clear(); }), HasSubstr("fit together"));
+    EXPECT_THAT(said([](MeshPiece& bad) { bad.bytes[bad.points * 24 + 3] = '\x7f'; }),
+                HasSubstr("fit together"));  // a corner
+    EXPECT_THAT(said([](MeshPiece& bad) {
+                  bad.borders = {{"b", {1000}, {}, {}}};
+                }),
+                HasSubstr("fit together"));
+  }
+}
+
+TEST_F(MeshStreams, are_committed_once) {
+  const Pieces pieces({"a"}, Coordinates::binary32);
+  for (const MeshFormat& format : {kStlBinary, kPlyBinary, kPvtu}) {
+    const MeshPiece piece = mesh_piece(pieces.rounded[0], format, "out");
+    const auto stream = mesh_stream(path("out"), format);
+    stream->append(piece, 0);
+    stream->commit({}, {});
+    EXPECT_THAT(message_of([&] { stream->commit({}, {}); }, Errc::invalid_argument),
+                HasSubstr("out: the file is committed"));
+    EXPECT_THAT(message_of([&] { stream->append(piece, 0); }, Errc::invalid_argument),
+                HasSubstr("out: the file is committed"));
+    stream->abandon();
+  }
+}
+
+TEST_F(MeshStreams, refuse_to_leave_out_what_is_not_there) {
+  const TriMesh open = bar(0, 2, "a", true);
+  const Rounded solid = to_mesh(Solid::from(open), Coordinates::binary32);
+  const std::vector<std::string> names{"end"};
+  const auto said = [&](const MeshFormat& format, const std::vector<std::uint32_t>& triangles) {
+    const MeshPiece piece = mesh_piece(solid, format, "out");
+    return message_of([&] { (void)without(piece, solid.mesh(), format, triangles, names); },
+                      Errc::invalid_argument);
+  };
+  for (const MeshFormat& format : {kStlBinary, kPlyBinary, kPvtu}) {
+    EXPECT_EQ(said(format, {9999}), "triangle 9999 cannot be left out: there are 12");
+    EXPECT_EQ(said(format, {8, 8}),
+              "triangle 8 cannot be left out: the numbers have to ascend, each given once");
+  }
+  EXPECT_EQ(said(kPlyBinary, {0}), "triangle 0 cannot be left out: its label is none of the names");
 }
 
 TEST_F(MeshStreams, take_what_the_format_holds_only) {
