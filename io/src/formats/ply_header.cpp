@@ -113,8 +113,8 @@ std::string ply_header_text(const PlyContents& contents,
   std::string text = std::string("ply\nformat ") +
                      (encoding == PlyEncoding::ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
   text += text::header_lines(header, "comment ");
-  for (const std::string& name : label_names) {
-    text += "comment label " + text::clean_line(name) + '\n';
+  for (const std::string& name : text::written_names(label_names)) {
+    text += "comment label " + name + '\n';
   }
   text += "element vertex " + std::to_string(contents.vertices) +
           "\nproperty double x\nproperty double y\nproperty double z\n";

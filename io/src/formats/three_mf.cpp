@@ -64,9 +64,10 @@ void append_attribute(std::string& text, std::string_view name, auto value) {
 
 void append_materials(std::string& text, const TriMesh& mesh, const MeshHeader& header) {
   const std::vector<text::Colour> colours = text::label_colours(mesh.names, header.colours);
+  const std::vector<std::string> names = text::written_names(mesh.names, text::xml_line);
   text += "<basematerials id=\"2\">\n";
   for (std::size_t label = 0; label < mesh.names.size(); ++label) {
-    text += "<base name=\"" + text::xml_escaped(mesh.names[label]) + "\" displaycolor=\"" +
+    text += "<base name=\"" + text::xml_escaped(names[label]) + "\" displaycolor=\"" +
             text::colour_code(colours[label]) + "\"/>\n";
   }
   text += "</basematerials>\n";

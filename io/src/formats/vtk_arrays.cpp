@@ -218,8 +218,8 @@ void append_vtk_field_data(std::string& text, const TriMesh& mesh, const MeshHea
                            const VtkParts& parts) {
   text += "<FieldData>\n";
   if (!mesh.labels.empty()) {
-    append_strings(text, "label_names", mesh.names);
-    append_strings(text, "part_names", parts.names);
+    append_strings(text, "label_names", text::written_names(mesh.names));
+    append_strings(text, "part_names", text::written_names(parts.names));
   }
   if (!header.unit.empty()) {
     append_strings(text, "unit", {header.unit});

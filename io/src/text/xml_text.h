@@ -7,19 +7,21 @@
 
 namespace dupin::text {
 
-/// One line of text as XML has it between tags and in attributes. U+FFFE and U+FFFF, which it has
-/// not, become U+FFFD.
+/// One line of the text that XML can hold: U+FFFE and U+FFFF, which it has not, become U+FFFD.
+[[nodiscard]] inline std::string xml_line(std::string_view text) {
+  std::string line = clean_line(text);
+  for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+    for (std::size_t at = 0; (at = line.find(none, at)) != std::string::npos;) {
+      line.replace(at, none.size(), "\xEF\xBF\xBD");
+    }
+  }
+  return line;
+}
+
+/// The same as XML has it between tags and in attributes.
 [[nodiscard]] inline std::string xml_escaped(std::string_view text) {
   std::string safe;
-  const std::string line = clean_line(text);
-  for (std::string_view rest = line; !rest.empty();) {
-    if (rest.starts_with("\xEF\xBF\xBE") || rest.starts_with("\xEF\xBF\xBF")) {
-      safe += "\xEF\xBF\xBD";
-      rest.remove_prefix(3);
-      continue;
-    }
-    const char c = rest.front();
-    rest.remove_prefix(1);
+  for (const char c : xml_line(text)) {
     switch (c) {
       case '&':
         safe += "&amp;";

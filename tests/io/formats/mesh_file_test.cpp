@@ -1,6 +1,7 @@
 #include "dupin/io/mesh_file.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -160,6 +161,26 @@ TEST_F(MeshFile, formats_say_what_they_hold) {
               format.merges_points ? 4U : 5U)
         << format.name;
   }
+}
+
+TEST_F(MeshFile, labels_that_would_be_written_alike_are_kept_apart) {
+  TriMesh mesh = test::tetrahedron();
+  mesh.labels = {0, 1, 2, 3};
+  mesh.names = {" a", "a ", "a", "\xEF\xBF\xBE"};
+  std::size_t count = 0;
+  for (const MeshFormat& format : mesh_formats()) {
+    const TriMesh read = format.read(mesh_bytes(mesh, format), "x");
+    if (read.labels.empty()) {  // the format has none
+      continue;
+    }
+    ++count;
+    const std::set<std::uint32_t> labels(read.labels.begin(), read.labels.end());
+    EXPECT_EQ(labels.size(), 4U) << format.name;
+    EXPECT_EQ(std::ranges::count(read.names, "a"), 1) << format.name;
+    EXPECT_EQ(std::ranges::count(read.names, "a (2)"), 1) << format.name;
+    EXPECT_EQ(std::ranges::count(read.names, "a (3)"), 1) << format.name;
+  }
+  EXPECT_GE(count, 7U);
 }
 
 TEST_F(MeshFile, the_unit_is_read_back) {

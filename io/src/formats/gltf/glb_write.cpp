@@ -51,6 +51,7 @@ double linear(std::uint8_t channel) {
 /// The parts of the JSON that grow with the mesh, and the bytes they point into.
 struct Content {
   std::string bytes;
+  std::vector<std::string> names;  // of labels, as they are written
   Json views = Json::array();
   Json accessors = Json::array();
   std::vector<std::pair<std::size_t, Json>> primitives;  // by label
@@ -127,7 +128,7 @@ void add_primitive(Content& content, const TriMesh& mesh, const std::vector<Tria
     const text::Colour& colour = colours[label];
     primitive["material"] = content.materials.size();
     content.materials.push_back(
-        {{"name", text::clean_line(mesh.names[label])},
+        {{"name", content.names[label]},
          {"pbrMetallicRoughness",
           {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1}},
            {"metallicFactor", 0},
@@ -144,7 +145,7 @@ void add_nodes(Json& json, Json root, const TriMesh& mesh, Content& content) {
   for (auto& [label, primitive] : content.primitives) {
     const std::string part = mesh.labels.empty()
                                  ? root["name"].get<std::string>()
-                                 : text::clean_line(text::part_of_label(mesh.names[label]));
+                                 : text::clean_line(text::part_of_label(content.names[label]));
     const auto [place, is_new] = known.try_emplace(part, meshes.size());
     if (is_new) {
       meshes.push_back({{"name", part}, {"primitives", Json::array()}});
@@ -168,7 +169,8 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
   Json json = {{"asset", {{"version", "2.0"}, {"generator", formats::kGlbGenerator}}},
                {"scene", 0}};
   if (!header.unit.empty() || !header.note.empty()) {
-    json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
+    json["asset"]["extras"] = {{"unit", text::clean_line(header.unit)},
+                               {"note", text::clean_line(header.note)}};
   }
   if (content.copies) {
     json["asset"].emplace("extras", Json::object());
@@ -198,6 +200,7 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
 /// Points, normals and indices.
 void add_geometry(Content& content, const TriMesh& mesh, const formats::SplitPoints& split,
                   const MeshHeader& header, const std::vector<Vec3>& points) {
+  content.names = text::written_names(mesh.names);
   add_points(content, points);
   if (!split.normals.empty()) {
     add_normals(content, split);
