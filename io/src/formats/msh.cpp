@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "formats/volume_points.h"
 #include "text/append_each.h"
@@ -88,7 +89,7 @@ Evidence recognise(std::string_view bytes) {
 std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
   std::string text =
-      text_before_elements(mesh, text::writable_points(mesh, Coordinates::binary64), header, false);
+      text_before_elements(mesh, text::surface_points(mesh, Coordinates::binary64), header, false);
   text += "$Elements\n" + std::to_string(mesh.triangles.size()) + '\n';
   append_triangles(text, mesh);
   return text + "$EndElements\n";
@@ -97,6 +98,13 @@ std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
 std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
   const TriMesh& surface = mesh.surface;
+  if (mesh.point_count() > 0 && (mesh.tetrahedra.empty() || surface.triangles.empty())) {
+    throw Error(Errc::invalid_argument,
+                "the mesh has " + std::to_string(mesh.point_count()) + " points and " +
+                    std::to_string(mesh.tetrahedra.size()) + " tetrahedra within " +
+                    std::to_string(surface.triangles.size()) +
+                    " triangles; a gmsh volume needs some of both");
+  }
   std::string text = text_before_elements(surface, formats::writable_points(mesh), header, true);
   text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';
   append_triangles(text, surface);

@@ -222,7 +222,7 @@ void append_face(std::string& text, const Triangle& face, const Triangle* normal
 
 std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary64);
   std::string text = text::header_lines(header, "# ");
   const formats::SplitPoints shaded =
       header.normals.empty() ? formats::SplitPoints() : formats::split_points(mesh, header.normals);

@@ -243,7 +243,7 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
 
 std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary64);
   std::string text = "OFF\n" + text::header_lines(header, "# ");
   text.reserve(text.size() + 64 + points.size() * 60 + mesh.triangles.size() * 26);
   text += std::to_string(points.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";

@@ -293,7 +293,7 @@ class PlyReader {
 /// The vertices of a mesh, which are its points if it has no normals.
 struct Vertices {
   Vertices(const TriMesh& mesh, const MeshHeader& header)
-      : points(text::writable_points(mesh, Coordinates::binary64)), own_points(points.size()) {
+      : points(text::surface_points(mesh, Coordinates::binary64)), own_points(points.size()) {
     if (header.normals.empty()) {
       return;
     }

@@ -159,7 +159,7 @@ TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
 
 std::string stl_ascii_text(const TriMesh& mesh) {
   const UsualArithmetic usual;
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary32);
   const PointTexts texts(points);
   std::string text;
   text.reserve(mesh.triangles.size() * 250 + 256);

@@ -190,7 +190,7 @@ bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
 
 std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary32);
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles");
   }

@@ -74,7 +74,7 @@ void append_materials(std::string& text, const TriMesh& mesh, const MeshHeader& 
 }
 
 void append_object(std::string& text, const TriMesh& mesh, const std::string& name) {
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary32);
   text.reserve(text.size() + points.size() * 80 + mesh.triangles.size() * 64);
   text += "<object id=\"1\" type=\"model\"";
   if (mesh.triangles.empty()) {

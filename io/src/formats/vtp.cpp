@@ -26,7 +26,7 @@ Evidence recognise(std::string_view bytes) {
 
 std::string vtp_text(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary64);
   if (3 * mesh.triangles.size() > std::numeric_limits<std::int32_t>::max()) {
     throw Error(Errc::limit_exceeded, "VTK files of ours hold at most 2^31 corners");
   }

@@ -91,6 +91,14 @@ std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates) 
   return points;
 }
 
+std::vector<Vec3> surface_points(const TriMesh& mesh, Coordinates coordinates) {
+  if (mesh.triangles.empty() && !mesh.points.empty()) {
+    throw Error(Errc::invalid_argument, "the mesh has " + std::to_string(mesh.points.size()) +
+                                            " points and no triangle; files of meshes need some");
+  }
+  return writable_points(mesh, coordinates);
+}
+
 std::string clean_line(std::string_view text) {
   constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
   std::string clean;

@@ -42,6 +42,10 @@ void append_point(std::string& text, const Vector& point) {
 /// the format's range.
 [[nodiscard]] std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates);
 
+/// The same of a mesh whose points have triangles, or that has none. Throws Error{invalid_argument}
+/// for others, which no reader takes for a surface.
+[[nodiscard]] std::vector<Vec3> surface_points(const TriMesh& mesh, Coordinates coordinates);
+
 /// `text` fit for a line of a file and for JSON: valid UTF-8 (other bytes become U+FFFD), control
 /// characters become spaces, no blanks around it.
 [[nodiscard]] std::string clean_line(std::string_view text);

@@ -19,6 +19,7 @@
 #include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
 #include "support/known_extensions.h"
+#include "support/message_of.h"
 #include "support/sample_meshes.h"
 #include "support/scratch_directory.h"
 
@@ -160,6 +161,17 @@ TEST_F(MeshFile, formats_say_what_they_hold) {
     EXPECT_EQ(format.read(mesh_bytes(doubled, format), "x").points.size(),
               format.merges_points ? 4U : 5U)
         << format.name;
+  }
+}
+
+TEST_F(MeshFile, points_without_triangles_are_not_written_as_none_reads_them) {
+  TriMesh mesh = test::tetrahedron();
+  mesh.triangles.clear();
+  for (const MeshFormat& format : mesh_formats()) {
+    EXPECT_EQ(test::message_of([&] { (void)mesh_bytes(mesh, format); }, Errc::invalid_argument),
+              "the mesh has 4 points and no triangle; files of meshes need some")
+        << format.name;
+    EXPECT_TRUE(format.read(mesh_bytes({}, format), "x").points.empty()) << format.name;
   }
 }
 

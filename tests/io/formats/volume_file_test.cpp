@@ -10,6 +10,7 @@
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
 #include "io/formats/volume_sample.h"
+#include "support/message_of.h"
 #include "support/sample_meshes.h"
 
 namespace dupin {
@@ -104,6 +105,25 @@ TEST(VolumeFile, of_gmsh_without_tetrahedra_is_refused) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::parse_failed);
     EXPECT_THAT(error.what(), HasSubstr("expected tetrahedra"));
+  }
+}
+
+TEST(VolumeFile, of_gmsh_without_tetrahedra_or_surface_is_not_written_as_it_is_not_read) {
+  VolumeMesh hollow = test::volume_sample(), bare = hollow;
+  hollow.tetrahedra.clear();
+  bare.surface.triangles.clear();
+  bare.surface.labels.clear();
+  const auto said = [](const VolumeMesh& mesh) {
+    return test::message_of([&] { (void)msh_volume_text(mesh); }, Errc::invalid_argument);
+  };
+  EXPECT_EQ(said(hollow),
+            "the mesh has 5 points and 0 tetrahedra within 4 triangles; a gmsh volume needs some "
+            "of both");
+  EXPECT_EQ(said(bare),
+            "the mesh has 5 points and 4 tetrahedra within 0 triangles; a gmsh volume needs some "
+            "of both");
+  for (const VolumeMesh& mesh : {hollow, bare}) {  // VTK may have either
+    EXPECT_EQ(read_vtu(vtu_text(mesh), "x").tetrahedra, mesh.tetrahedra);
   }
 }
 

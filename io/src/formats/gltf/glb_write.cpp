@@ -219,7 +219,7 @@ void add_geometry(Content& content, const TriMesh& mesh, const formats::SplitPoi
 
 std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header) {
   const UsualArithmetic usual;
-  std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  std::vector<Vec3> points = text::surface_points(mesh, Coordinates::binary32);
   formats::SplitPoints split;
   if (!header.normals.empty()) {
     split = formats::split_points(mesh, header.normals);
