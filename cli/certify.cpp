@@ -132,6 +132,11 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
   }
 }
 
+/// ", but for 2 not proved": what a bound of the others says nothing of.
+std::string but_for(std::size_t open) {
+  return open > 0 ? ", but for " + std::to_string(open) + " not proved" : "";
+}
+
 /// Of what nothing is proved of, nothing is said by a bound of the others.
 std::string mesh_error_text(const Certificate& certificate) {
   double error = 0;
@@ -157,7 +162,7 @@ std::string mesh_error_text(const Certificate& certificate) {
               ? ", which does not prove that it keeps to the tolerance, " +
                     number(certificate.tolerance) + unit
               : "") +
-         (open > 0 ? ", but for " + std::to_string(open) + " not proved" : "");
+         but_for(open);
 }
 
 std::string contact_text(const Certificate& certificate) {
@@ -175,24 +180,25 @@ std::string contact_text(const Certificate& certificate) {
     return "not proved";
   }
   return "within " + number(widest.offset) + unit_of(certificate) + ", tangent within " +
-         number(widest.deviation) + " rad" +
-         (open > 0 ? ", but for " + std::to_string(open) + " not proved" : "");
+         number(widest.deviation) + " rad" + but_for(open);
 }
 
-void print_certificate(std::ostream& out, const Certificate& certificate) {
+/// Of what is proved; parts whose margins are not are counted beside it. Empty: none claims one.
+std::string margin_text(const Certificate& certificate) {
   const RegularClaim* tightest = nullptr;
   std::string tightest_name;
+  std::size_t open = 0;
   const auto include = [&](const RegularClaim& regular, const std::string& name) {
-    if (regular.verdict == Verdict::proved &&
-        (tightest == nullptr || regular.margin < tightest->margin)) {
+    if (regular.verdict != Verdict::proved) {
+      ++open;
+    } else if (tightest == nullptr || regular.margin < tightest->margin) {
       tightest = &regular;
       tightest_name = name;
     }
   };
   for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
-    const PartClaims& claims = certificate.claims[i];
-    if (claims.regular) {
-      include(*claims.regular, certificate.parts[i].name);
+    if (certificate.claims[i].regular) {
+      include(*certificate.claims[i].regular, certificate.parts[i].name);
     }
   }
   for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
@@ -200,25 +206,58 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
       include(claims.regular, certificate.fillets[i].name);
     }
   }
+  if (tightest == nullptr) {
+    return open > 0 ? "not proved" : "";
+  }
+  return "above " + number(tightest->margin) + " (" + tightest_name + ")" + but_for(open);
+}
+
+/// Of pairs that keep apart; those of which that is not proved are counted beside it.
+std::string clearance_text(const Certificate& certificate) {
   const ClearanceClaim* nearest = nullptr;
+  std::size_t open = 0;
+  const auto include = [&](const ClearanceClaim& claim, bool is_joined) {
+    if (claim.verdict != Verdict::proved) {
+      open += is_joined || claim.overlap ? 0 : 1;
+    } else if (claim.distance > 0 && (nearest == nullptr || claim.distance < nearest->distance)) {
+      nearest = &claim;
+    }
+  };
+  for (const ClearanceClaim& claim : certificate.clearances) {
+    include(claim, certificate.joined(claim));
+  }
+  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+    include(claim, false);
+  }
+  if (nearest == nullptr) {
+    return open > 0 ? "not proved" : "";
+  }
+  return "at least " + number(nearest->distance) + unit_of(certificate) + " (" +
+         named(certificate, *nearest) + ")" + but_for(open);
+}
+
+std::size_t overlapping_pairs(const Certificate& certificate) {
   std::size_t overlaps = 0;
   for (const auto* clearances : {&certificate.clearances, &certificate.fillet_clearances}) {
     for (const ClearanceClaim& claim : *clearances) {
       overlaps += claim.overlap ? 1 : 0;
-      if (claim.distance > 0 && (nearest == nullptr || claim.distance < nearest->distance)) {
-        nearest = &claim;
-      }
     }
   }
+  return overlaps;
+}
+
+void print_certificate(std::ostream& out, const Certificate& certificate) {
+  const auto print_if_any = [&](const std::string& what, const std::string& text) {
+    if (!text.empty()) {
+      print_row(out, what, text);
+    }
+  };
   const std::string unit = unit_of(certificate);
   print_row(out, "parts", std::to_string(certificate.parts.size()));
   if (!certificate.fillets.empty()) {
     print_row(out, "fillets", std::to_string(certificate.fillets.size()));
   }
-  if (tightest != nullptr) {
-    print_row(out, "smallest margin",
-              "above " + number(tightest->margin) + " (" + tightest_name + ")");
-  }
+  print_if_any("smallest margin", margin_text(certificate));
   print_row(out, "mesh error", mesh_error_text(certificate));
   print_row(out, "tolerance", number(certificate.tolerance) + unit);
   const JointFit joints = widest_joint(certificate);
@@ -227,15 +266,11 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   if (!certificate.fillets.empty()) {
     print_row(out, "fillets touch pipes", contact_text(certificate));
   }
-  if (nearest != nullptr) {
-    print_row(
-        out, "smallest clearance",
-        "at least " + number(nearest->distance) + unit + " (" + named(certificate, *nearest) + ")");
-  }
+  print_if_any("smallest clearance", clearance_text(certificate));
   if (certificate.apart > 0) {
     print_row(out, "all other clearances", "at least " + number(certificate.apart) + unit);
   }
-  print_row(out, "overlapping pairs", std::to_string(overlaps));
+  print_row(out, "overlapping pairs", std::to_string(overlapping_pairs(certificate)));
   print_row(out, "not proved", std::to_string(certificate.findings()));
   print_findings(out, certificate);
 }

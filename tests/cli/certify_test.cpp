@@ -124,6 +124,43 @@ TEST_F(Certify, a_claim_that_is_too_bold_is_a_finding) {
   EXPECT_EQ(dupin({"verify", "-", "-q"}, result.out).exit_code, 1);
 }
 
+// What is least of all is not said of some.
+TEST_F(Certify, says_of_how_many_neither_margin_nor_clearance_is_proved) {
+  const std::vector<std::string> rows{
+      "smallest margin      above 0.0849 (inlet), but for 1 not proved\n",
+      "smallest clearance   at least 8.46073676 mm (inlet and outlet)\n"};
+  const ProcessResult refuted =
+      dupin({"certify", example("reducer.json"), "-o", "a.cert.json", "--margin", "0.0849"});
+  const ProcessResult checked = dupin({"verify", "a.cert.json"});
+  for (const std::string& row : rows) {
+    EXPECT_THAT(refuted.out, HasSubstr(row));
+    EXPECT_THAT(checked.out, HasSubstr(row));
+  }
+  const ProcessResult open =
+      dupin({"certify", example("hollow-tee.json"), "-o", "b.cert.json", "--margin", "0.9"});
+  EXPECT_THAT(open.out, HasSubstr("smallest margin      above 0.9 (run), but for 1 not proved\n"));
+  EXPECT_THAT(open.out, testing::ContainsRegex(
+                            "smallest clearance   at least [0-9.]+ mm \\(run and flange\\), "
+                            "but for 1 not proved\n"));
+}
+
+TEST_F(Certify, says_that_no_margin_and_no_clearance_is_proved) {
+  Certificate certificate = certify(read_assembly(example("reducer.json")));
+  for (PartClaims& claims : certificate.claims) {
+    claims.regular->verdict = Verdict::undecided;
+    claims.regular->leaves.clear();
+    claims.embedded = EmbeddedClaim();
+    claims.mesh.reset();
+  }
+  for (ClearanceClaim& claim : certificate.clearances) {
+    claim = {claim.first, claim.second, Verdict::undecided, 0, {}, {}, 0};
+  }
+  folder_.write("open.cert.json", certificate_json(certificate));
+  const ProcessResult result = dupin({"verify", "open.cert.json"});
+  EXPECT_THAT(result.out, HasSubstr("smallest margin      not proved\n")) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("smallest clearance   not proved\n"));
+}
+
 TEST_F(Certify, says_of_a_fillet_that_nothing_is_proved_of_its_contact) {
   Certificate certificate = certify(read_assembly(example("equal-tee.json")));
   ASSERT_EQ(certificate.findings(), 0U);

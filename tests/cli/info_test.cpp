@@ -37,6 +37,18 @@ TEST_F(MeshCommands, info_states_no_volume_of_what_is_open) {
   EXPECT_THAT(text, Not(HasSubstr("volume")));
 }
 
+// Which is not looked at, but for faults that are found anyhow.
+TEST_F(MeshCommands, info_does_not_say_whether_a_mesh_is_a_solid) {
+  put("a.off", box({0, 0, 0}, {2, 3, 4}));
+  put("crossing.off", joined({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}));
+  for (const std::string name : {"a.off", "crossing.off"}) {
+    EXPECT_TRUE(json({"info", name}, 0).at("check").at("solid").is_null()) << name;
+    EXPECT_THAT(dupin({"info", name}).out, Not(HasSubstr("solid"))) << name;
+  }
+  put("open.off", open_box());
+  EXPECT_EQ(json({"info", "open.off"}, 0).at("check").at("solid"), false);
+}
+
 // As documents, and meshes of text, begin.
 TEST_F(MeshCommands, info_reads_binary_stl_whose_header_begins_like_something_else) {
   std::string stl = mesh_bytes(box({0, 0, 0}, {2, 3, 4}), kStlBinary);

@@ -192,32 +192,15 @@ class Borer {
   }
 
   [[nodiscard]] PartSurface insulation_shape(const ResolvedPart& part, double thickness) const {
-    return insulated<PartSurface>(thickness, [&](double tried) {
+    const auto made = [&](double tried) {
       PartSurface shape = narrowed_shape(part, -tried);
       (void)margins(shape, false, part.kind);
       return shape;
-    });
-  }
-
-  // What is made with so thick an insulation.
-  template <typename Shape>
-  static Shape insulated(double thickness, const std::function<Shape(double)>& made) {
-    const auto fits = [&](double tried) {
-      try {
-        (void)made(tried);
-        return true;
-      } catch (const Error&) {
-        return false;
-      }
     };
     try {
       return made(thickness);
     } catch (const Error& folds) {
-      const auto most = largest_radius_below(thickness, fits);
-      throw Error(folds.code(),
-                  "its insulation of " + decimal(thickness, kMessageDigits) +
-                      " is too thick for its bends" +
-                      (most ? "; it may be at most " + decimal(*most) : ": " + folds.message()));
+      refuse_insulation(thickness, folds, InsulationAdvice::largest, made);
     }
   }
 
@@ -225,10 +208,16 @@ class Borer {
   void narrow(ResolvedJunction& junction) {
     junction.name += suffix_;
     const double wall = walls_[junction.index];
-    junction.shape =
-        wall < 0 ? insulated<Junction>(-wall, [&outer = junction.shape](
-                                                  double tried) { return narrowed(outer, -tried); })
-                 : narrowed(std::move(junction.shape), wall);
+    const Junction outer = junction.shape;
+    try {
+      junction.shape = narrowed(outer, wall);
+    } catch (const Error& folds) {
+      if (wall > 0) {
+        throw;
+      }
+      refuse_insulation(-wall, folds, InsulationAdvice::some,
+                        [&outer](double tried) { (void)narrowed(outer, -tried); });
+    }
     for (std::size_t i = 0; i < junction.arms.size(); ++i) {
       bore_.resolved.parts[junction.arms[i]].shape = tube(junction.shape.arms[i]);
     }

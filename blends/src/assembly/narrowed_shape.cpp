@@ -1,15 +1,41 @@
 #include "assembly/narrowed_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "assembly/fillet_part.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
+namespace {
+
+using Fits = std::function<bool(double)>;
+
+// The largest number of the digits of messages that fits, between one that does and one that need
+// not.
+double largest_told(double fitting, double too_large, const Fits& fits) {
+  const double unit = std::pow(10, std::floor(std::log10(fitting)) + 1 - kMessageDigits);
+  double most = fitting;
+  while (too_large - most > unit / 4) {
+    const double middle = most + (too_large - most) / 2;
+    (fits(middle) ? most : too_large) = middle;
+  }
+  for (double whole = std::floor(too_large / unit); whole * unit > fitting; --whole) {
+    const double told = rounded(whole * unit, kMessageDigits);
+    if (fits(told)) {
+      return told;
+    }
+  }
+  return fitting;
+}
+
+}  // namespace
 
 double less_wall(double radius, double wall) {
   if (!(radius > wall)) {
@@ -147,6 +173,30 @@ Junction narrowed(Junction junction, double wall) {
 std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
                                     const std::array<double, 2>& walls) {
   return {narrowed(*pipes[0], walls[0]), narrowed(*pipes[1], walls[1])};
+}
+
+void refuse_insulation(double thickness, const Error& folds, InsulationAdvice advice,
+                       const std::function<void(double)>& made) {
+  const Fits fits = [&](double tried) {
+    try {
+      made(tried);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  const std::string refusal =
+      "its insulation of " + decimal(thickness, kMessageDigits) + " is too thick for its bends";
+  const auto some = largest_radius_below(thickness, fits);
+  if (!some) {
+    throw Error(folds.code(), refusal + ": " + folds.message());
+  }
+  if (advice == InsulationAdvice::some) {
+    throw Error(folds.code(), refusal + "; " + decimal(*some) + " would do");
+  }
+  constexpr double kFurther = 1.01;  // than what is found first
+  const double most = largest_told(*some, std::min(kFurther * *some, thickness), fits);
+  throw Error(folds.code(), refusal + "; it may be at most " + decimal(most));
 }
 
 }  // namespace dupin::assembly

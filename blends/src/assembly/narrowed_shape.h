@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "dupin/blends/junction.h"
 #include "dupin/blends/part_surface.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 
@@ -21,5 +23,14 @@ namespace dupin::assembly {
 
 /// Of a cyclide's cone the ring of the parallel one, which is that moved along the axis.
 [[nodiscard]] Ring parallel(Ring ring, double wall);
+
+/// What is said of an insulation that is too thick: the largest that is not, to the digits of
+/// messages, so that one more in the last of them is refused; or one that would do, where the
+/// largest leaves no room for a mesh, as collars of junctions that have all but vanished do.
+enum class InsulationAdvice { largest, some };
+
+/// Throws an Error of the code of `folds`. `made` throws Error where a thickness is too large.
+[[noreturn]] void refuse_insulation(double thickness, const Error& folds, InsulationAdvice advice,
+                                    const std::function<void(double)>& made);
 
 }  // namespace dupin::assembly

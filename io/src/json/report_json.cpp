@@ -256,6 +256,9 @@ std::string to_json(const MeshSummary& summary) {
     object["box"] = {json::json_value(Vec3(box.min())), json::json_value(Vec3(box.max()))};
   }
   object["check"] = json::json_value(summary.check);
+  if (summary.check.is_solid()) {
+    object["check"]["solid"] = nullptr;  // self-intersections were not searched for
+  }
   return json::text(object);
 }
 

@@ -177,10 +177,13 @@ class BuiltPage {
         section.rows.back().part = index_of(least->name);
       }
     };
+    const auto unproved = std::ranges::count_if(
+        report_.parts, [](const PartReport& part) { return part.is_hollow && !part.least_wall; });
     add(
         "least wall", [](const PartReport& part) { return part.least_wall; },
-        [this](double wall) {
-          return "proved, at least " + decimal_at_least(wall) + (unit_.empty() ? "" : " " + unit_);
+        [&](double wall) {
+          return "proved, at least " + decimal_at_least(wall) + (unit_.empty() ? "" : " " + unit_) +
+                 (unproved > 0 ? ", but for " + std::to_string(unproved) + " not proved" : "");
         });
     add(
         "smallest margin", [](const PartReport& part) { return part.margin_lower; },

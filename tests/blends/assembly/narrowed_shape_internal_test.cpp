@@ -52,5 +52,37 @@ TEST(NarrowedShape, of_a_junction_is_one_or_is_refused) {
   EXPECT_THROW((void)narrowed(junction, -0.5), Error);  // too tight a bend
 }
 
+std::string advice(double thickness, double limit, InsulationAdvice kind) {
+  try {
+    refuse_insulation(thickness, Error(Errc::irregular_surface, "it folds"), kind,
+                      [limit](double tried) {
+                        if (!(tried < limit)) {
+                          throw Error(Errc::irregular_surface, "too thick");
+                        }
+                      });
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
+    return error.message();
+  }
+}
+
+TEST(InsulationThatIsTooThick, is_refused_with_the_largest_number_of_so_many_digits_that_fits) {
+  const std::string begin = "its insulation of 12 is too thick for its bends; it may be at most ";
+  EXPECT_EQ(advice(12, 10, InsulationAdvice::largest), begin + "9.99999");
+  EXPECT_EQ(advice(12, 10.00005, InsulationAdvice::largest), begin + "10");
+  EXPECT_EQ(advice(12, 1.234567, InsulationAdvice::largest), begin + "1.23456");
+  EXPECT_EQ(advice(12, 12, InsulationAdvice::largest), begin + "11.9999");
+}
+
+TEST(InsulationThatIsTooThick, may_be_refused_with_one_that_would_do) {
+  EXPECT_EQ(advice(12, 10, InsulationAdvice::some),
+            "its insulation of 12 is too thick for its bends; 9.98 would do");
+}
+
+TEST(InsulationThatIsTooThick, is_refused_as_all_are) {
+  EXPECT_EQ(advice(12, 0, InsulationAdvice::largest),
+            "its insulation of 12 is too thick for its bends: it folds");
+}
+
 }  // namespace
 }  // namespace dupin::assembly
