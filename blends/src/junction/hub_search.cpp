@@ -115,6 +115,7 @@ class HubSearch {
   }
 
  private:
+  static constexpr const char* kFreeRemedy = ": ends further apart, or another centre, may do";
   static constexpr double kStep = 1.01;
   static constexpr int kSteps = 240;        // by then the hub is eleven times as large
   static constexpr int kMostOfCollars = 1;  // progress where there is no collar
@@ -258,7 +259,10 @@ class HubSearch {
       const double length = ends_[i].end.radius * std::hypot(1, ends_[i].tangent.r);
       result.ways.push_back(std::abs(*found) < kShortest * length ? 0 : *found);
     }
-    result.fault = arms_fault(hub, result.ways);
+    result.fault = arms_fault(hub, result.ways,
+                              !options_.cap_angles.empty() ? ": smaller caps may do"
+                              : options_.radius ? ": smaller caps, or a larger hub, may do"
+                                                : kFreeRemedy);
     return result;
   }
 
@@ -281,7 +285,20 @@ class HubSearch {
     if (ends_before) {
       return {what + ": it would have to be further back than its cone reaches", i, kMostOfCollars};
     }
-    return {what + ": a larger hub, or other caps, may do", i, 0, true};
+    return {what + (has_crowded_cap(i) ? ": smaller caps may do"
+                                       : ": a larger hub, or other caps, may do"),
+            i, 0, true};
+  }
+
+  // Whether a chosen cap overlaps others, as the ends lie, however large the hub is.
+  [[nodiscard]] bool has_crowded_cap(std::size_t i) const {
+    const std::vector<double>& caps = options_.cap_angles;
+    for (std::size_t k = 0; k < caps.size(); ++k) {
+      if (k != i && caps[i] + caps[k] > between(i, k)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // Of the collar that begins after this way.
@@ -301,8 +318,9 @@ class HubSearch {
            (cap && std::abs(angle - *cap) > kSame);
   }
 
-  [[nodiscard]] std::optional<Fault> arms_fault(const Sphere& hub,
-                                                const std::vector<double>& ways) const {
+  // `remedy`: of caps that are too near to each other. On a larger hub, chosen ones are as large.
+  [[nodiscard]] std::optional<Fault> arms_fault(const Sphere& hub, const std::vector<double>& ways,
+                                                const char* remedy) const {
     Junction junction;
     try {
       junction = arms_to(hub, ends_, ways);
@@ -320,7 +338,7 @@ class HubSearch {
                      : Fault{"the caps of " + named(k) + " and " + named(i) +
                                  (between_caps > 0 ? " are only " + degrees(between_caps) + " apart"
                                                    : " overlap by " + degrees(-between_caps)) +
-                                 remedy(),
+                                 remedy,
                              i, 2, true};
         }
         if (!arms_are_apart(a, b, Arithmetic::rounded)) {
@@ -332,13 +350,6 @@ class HubSearch {
       }
     }
     return {};
-  }
-
-  // By what was chosen.
-  [[nodiscard]] std::string remedy() const {
-    return options_.cap_angles.empty() && !options_.radius
-               ? ": ends further apart, or another centre, may do"
-               : ": smaller caps, or a larger hub, may do";
   }
 
   [[nodiscard]] JunctionSearch smooth(const std::vector<double>& ways, double least) {
@@ -355,7 +366,9 @@ class HubSearch {
                                       k};
         }
       }
-      fault = fault ? fault : arms_fault(hub, ways);
+      fault = fault
+                  ? fault
+                  : arms_fault(hub, ways, options_.radius ? ": a larger hub may do" : kFreeRemedy);
       if (fault) {
         note(*fault);
       } else if (auto found = sound(hub, ways)) {

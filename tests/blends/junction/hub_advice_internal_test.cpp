@@ -156,6 +156,13 @@ TEST(HubAdvice, says_by_how_much_caps_overlap) {
   const JunctionSearch refused = search_junction(ends, wide);
   ASSERT_FALSE(refused.junction);
   EXPECT_THAT(advice(ends, wide, refused), testing::HasSubstr("overlap by"));
+  // On a larger hub, they are as wide.
+  for (const std::optional<double> radius : {std::optional<double>(), {4.0}, {2.0}, {0.1}}) {
+    const JunctionOptions chosen{.radius = radius, .cap_angles = {0.5, 0.5}};
+    const std::string text = advice(ends, chosen, search_junction(ends, chosen));
+    EXPECT_THAT(text, testing::HasSubstr("smaller caps may do"));
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("larger hub")));
+  }
   EXPECT_THAT(advice(ends, wide, refused), testing::Not(testing::HasSubstr("-")));
 }
 
