@@ -368,14 +368,14 @@ Json written(const TorisphericalHead& head) {
 
 Json written(const CapAt& cap) { return {{"at", to_string(cap.at)}}; }
 
-Json written(const Part& part) {
+Json written(const Part& part, WallSide usual) {
   Json json = {{"name", part.name}};
   json[std::string(kind(part.shape))] =
       std::visit([](const auto& shape) { return written(shape); }, part.shape);
   if (part.wall) {
     json["wall"] = *part.wall;
   }
-  if (part.wall_side) {
+  if (part.wall_side && *part.wall_side != usual) {
     json["wall_side"] = name(*part.wall_side);
   }
   if (part.insulation) {
@@ -467,7 +467,7 @@ std::string document_text(const Assembly& assembly) {
   text += " \"parts\": [";
   std::string_view separator = "\n";
   for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
-    const Json part = written(assembly.parts[i]);
+    const Json part = written(assembly.parts[i], assembly.wall_side);
     require_writable(part, assembly.parts[i].name, document_place(assembly, i),
                      !assembly.is_of_network);
     text += std::string(separator) + "  " + json::line_text(part);

@@ -57,7 +57,7 @@ class Fitting {
     allow_also(own, run_keys(own), {"branch", "fillet"});
     add("", "tee", {{"pipe", run(own)}}, true);
     const JsonNode branch = own.at("branch");
-    allow_only(branch, {"at", "direction", "length", "radius", "wall"});
+    allow_only(branch, {"at", "direction", "length", "radius", "wall", "wall_side"});
     (void)vector(branch.at("direction"));
     add("-branch", "tee/branch",
         {{"pipe",
@@ -69,6 +69,9 @@ class Fitting {
         true);
     if (branch.has("wall")) {
       members_.back().part["wall"] = branch.at("wall").number();
+    }
+    if (branch.has("wall_side")) {
+      members_.back().part["wall_side"] = branch.at("wall_side").text();
     }
     if (own.has("fillet")) {
       add("-fillet", "tee",

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "dupin/blends/assembly.h"
 #include "dupin/kernel/decimal.h"
 #include "json/flange_size.h"
 #include "pcf/wall_schedule.h"
@@ -102,6 +103,18 @@ double outside_of(const JsonNode& diameter) {
   return outside;
 }
 
+// Whatever the document, or an entry around, says of where walls are: the diameter is the outer
+// one.
+void keep_outside(Json& thick, const JsonNode& node, const std::string& key) {
+  const std::string inwards(name(WallSide::inwards));
+  if (node.has("wall_side") && node.at("wall_side").value() != Json(inwards)) {
+    node.at("wall_side")
+        .fail("the " + key + " says the outside diameter, so that the wall is \"" + inwards +
+              "\"; leave this out, or give a radius");
+  }
+  thick["wall_side"] = inwards;
+}
+
 // The wall goes to what is thick: the part, or a branch of a tee.
 void give_radius(Json& own, const JsonNode& shape, Json& thick, const JsonNode& node, Unit unit) {
   if (shape.has("size") || shape.has("schedule")) {
@@ -125,6 +138,11 @@ void give_radius(Json& own, const JsonNode& shape, Json& thick, const JsonNode& 
         inside.fail("must be positive and less than the outside_diameter");
       }
       thick["wall"] = (outside - inside.number()) / 2;
+    }
+  }
+  for (const char* key : {"size", "outside_diameter"}) {
+    if (own.contains(key)) {
+      keep_outside(thick, node, key);
     }
   }
   for (const char* key : {"size", "schedule", "outside_diameter", "inside_diameter"}) {

@@ -50,6 +50,37 @@ TEST(NominalSize, is_of_elbows_too_and_in_the_documents_unit) {
   EXPECT_DOUBLE_EQ(*assembly.parts[0].wall, 6.02 / 25.4);
 }
 
+// DN100 is 114.3 across outside, wherever the walls of others are.
+TEST(NominalSize, is_the_outside_diameter_whatever_the_side_of_walls) {
+  const auto of = [](const std::string& parts) {
+    return parse_assembly(R"({"units": "mm", "tolerance": 0.1, "wall": 2, "wall_side": "outwards",
+        "parts": [)" + parts +
+                          "]}");
+  };
+  const std::string ends = R"("from": [0, 0, 0], "to": [9, 0, 0], )";
+  for (const std::string section :
+       {R"("size": "DN100")", R"("outside_diameter": 114.3)", R"("size": "DN100", "schedule": 40)",
+        R"("outside_diameter": 114.3, "inside_diameter": 100)"}) {
+    const std::string part = R"({"name": "a", "pipe": {)" + ends + section + "}}";
+    EXPECT_EQ(of(part).parts[0].wall_side, WallSide::inwards);
+    EXPECT_EQ(of(R"({"wall_side": "centred", "parts": [)" + part + "]}").parts[0].wall_side,
+              WallSide::inwards);
+    EXPECT_THAT(message_of(pipe(section, R"("wall_side": "outwards", )")),
+                testing::AllOf(testing::StartsWith("d.json#/parts/0/wall_side: the "),
+                               testing::HasSubstr(" says the outside diameter")));
+    EXPECT_EQ(message_of(pipe(section, R"("wall_side": "inwards", )")), "accepted");
+    EXPECT_THAT(document_text(parse_assembly(pipe(section))),
+                testing::Not(testing::HasSubstr("wall_side")));
+    EXPECT_THAT(document_text(of(part)), testing::HasSubstr(R"("wall_side":"inwards")"));
+  }
+  EXPECT_EQ(of(R"({"name": "a", "pipe": {)" + ends + R"("radius": 5}})").parts[0].wall_side,
+            std::nullopt);
+  const Assembly tee = of(R"({"name": "t", "tee": {"from": [0, 0, 0], "direction": [1, 0, 0],
+      "radius": 60, "length": 400, "branch": {"direction": [0, 0, 1], "length": 200, "size": "DN50"}}})");
+  EXPECT_EQ(tee.parts[0].wall_side, std::nullopt);
+  EXPECT_EQ(tee.parts[1].wall_side, WallSide::inwards);
+}
+
 TEST(NominalSize, says_what_there_is) {
   EXPECT_THAT(message_of(pipe(R"("size": "DN101")")),
               testing::StartsWith("d.json#/parts/0/pipe/size: 'DN101' is no size of ASME B36.10M: "
