@@ -39,7 +39,7 @@ Keys run_keys(const JsonNode& fitting) {
 
 void allow_also(const JsonNode& fitting, Keys keys, std::initializer_list<std::string_view> more) {
   keys.insert(keys.end(), more);
-  allow_only(fitting, keys);
+  allow_only(fitting, keys, with_sizes(keys));
 }
 
 class Fitting {
@@ -57,7 +57,8 @@ class Fitting {
     allow_also(own, run_keys(own), {"branch", "fillet"});
     add("", "tee", {{"pipe", run(own)}}, true);
     const JsonNode branch = own.at("branch");
-    allow_only(branch, {"at", "direction", "length", "radius", "wall", "wall_side"});
+    const Keys keys{"at", "direction", "length", "radius", "wall", "wall_side"};
+    allow_only(branch, keys, with_sizes(keys));
     (void)vector(branch.at("direction"));
     add("-branch", "tee/branch",
         {{"pipe",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,29 @@
 namespace dupin::json {
 namespace {
 
+std::optional<double> number_of(std::string_view text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] =
+      std::from_chars(text.data(), end, number, std::chars_format::fixed);  // no DN1e2
+  return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
+}
+
+// "0.5", "1/2", "1.5", "1 1/2" and "1-1/2".
+std::optional<double> inches_of(std::string_view text) {
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) {
+    return number_of(text);
+  }
+  const auto gap = text.find_last_of(" -", slash);
+  const bool is_mixed = gap != std::string_view::npos;
+  const std::size_t begin = is_mixed ? gap + 1 : 0;
+  const auto whole = is_mixed ? number_of(text.substr(0, gap)) : std::optional(0.0);
+  const auto above = number_of(text.substr(begin, slash - begin));
+  const auto below = number_of(text.substr(slash + 1));
+  return whole && above && below ? std::optional(*whole + *above / *below) : std::nullopt;
+}
+
 const pcf::NominalPipe* nominal_pipe(std::string_view size) {
   const bool is_metric = size.starts_with("DN");
   if (!is_metric && !size.starts_with("NPS")) {
@@ -20,13 +44,7 @@ const pcf::NominalPipe* nominal_pipe(std::string_view size) {
   }
   size.remove_prefix(is_metric ? 2 : 3);
   size.remove_prefix(std::min(size.find_first_not_of(' '), size.size()));
-  double number = 0;
-  const char* const end = size.data() + size.size();
-  const auto [rest, failure] =
-      std::from_chars(size.data(), end, number, std::chars_format::fixed);  // no DN1e2
-  if (failure != std::errc() || rest != end) {
-    return nullptr;
-  }
+  const std::optional<double> number = is_metric ? number_of(size) : inches_of(size);
   for (const pcf::NominalPipe& pipe : pcf::nominal_pipes()) {
     if (number == (is_metric ? pipe.nominal : pipe.inches)) {
       return &pipe;

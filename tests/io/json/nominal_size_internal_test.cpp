@@ -42,6 +42,40 @@ TEST(NominalSize, gives_radius_and_wall) {
   EXPECT_EQ(parse_assembly(pipe(R"("size": "DN100")")).parts[0].wall, std::nullopt);
 }
 
+TEST(NominalSize, may_be_a_fraction) {
+  const std::pair<const char*, double> rows[] = {
+      {"NPS 1/8", 10.3},   {"NPS 1/2", 21.3}, {"NPS1/2", 21.3},    {"NPS 1 1/2", 48.3},
+      {"NPS 1-1/2", 48.3}, {"NPS 2-1/2", 73}, {"NPS 3 1/2", 101.6}};
+  for (const auto& [size, outside] : rows) {
+    const std::string section = R"("size": ")" + std::string(size) + "\"";
+    EXPECT_EQ(read_last<PipeBetween>(pipe(section)).radius, outside / 2) << size;
+  }
+  for (const char* size : {"NPS /2", "NPS 1/", "NPS 1/0", "NPS -1/2", "NPS 1/2/2", "NPS 1 /2",
+                           "DN 1/2", "NPS 1/3", "NPS 1--1/2"}) {
+    EXPECT_THAT(message_of(pipe(R"("size": ")" + std::string(size) + "\"")),
+                testing::HasSubstr("is no size"))
+        << size;
+  }
+}
+
+// ASME B36.10M, table 1: 3/8 inch thick up to NPS 48.
+TEST(NominalSize, has_walls_of_the_largest_and_least_pipes) {
+  const auto wall = [](const std::string& size, const std::string& schedule) {
+    return *parse_assembly(pipe(R"("size": ")" + size + R"(", "schedule": ")" + schedule + "\""))
+                .parts[0]
+                .wall;
+  };
+  for (int nominal = 26; nominal <= 48; nominal += 2) {
+    const std::string size = "NPS " + std::to_string(nominal);
+    EXPECT_EQ(wall(size, "STD"), 9.53) << size;
+    EXPECT_EQ(wall(size, "XS"), 12.70) << size;
+  }
+  EXPECT_EQ(wall("DN750", "5"), 6.35);
+  EXPECT_EQ(wall("DN900", "40"), 19.05);
+  EXPECT_EQ(wall("DN6", "STD"), 1.73);
+  EXPECT_EQ(wall("NPS 3/8", "80"), 3.20);
+}
+
 TEST(NominalSize, is_of_elbows_too_and_in_the_documents_unit) {
   const Assembly assembly = parse_assembly(
       R"({"units": "in", "tolerance": 0.1, "parts": [{"name": "e", "elbow": {"from": [0, 0, 0],

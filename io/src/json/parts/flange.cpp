@@ -8,9 +8,12 @@ struct PartReader<"flange"> {
   static PartShape read(const JsonNode& node) {
     node.require_object();
     const bool is_on = node.has("on"), is_at_end = !is_on && node.has("at");
-    allow_only(node, is_on       ? Keys{"on", "at", "radius", "thickness"}
-                     : is_at_end ? Keys{"at", "radius", "thickness"}
-                                 : Keys{"center", "normal", "radius", "thickness", "at", "on"});
+    const Keys keys = is_on       ? Keys{"on", "at", "radius", "thickness"}
+                      : is_at_end ? Keys{"at", "radius", "thickness"}
+                                  : Keys{"center", "normal", "radius", "thickness", "at", "on"};
+    Keys told = keys;
+    told.insert(told.end(), {"size", "class"});
+    allow_only(node, keys, told);
     const double radius = node.at("radius").number(), thickness = node.at("thickness").number();
     if (is_on) {
       return FlangeOn{node.at("on").text(), node.at("at").number(), radius, thickness};

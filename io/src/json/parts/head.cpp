@@ -10,7 +10,7 @@ PartStart start(const JsonNode& node, Keys keys) {
   if (!from_port) {
     keys.insert(keys.end(), {"direction", "radius"});
   }
-  allow_only(node, keys);
+  allow_only(node, keys, with_sizes(keys));
   return from_port ? PartStart(port(node.at("from")))
                    : Place{vector(node.at("from")), vector(node.at("direction")),
                            node.at("radius").number()};

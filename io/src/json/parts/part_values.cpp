@@ -13,13 +13,30 @@ std::string listed(const Keys& keys) {
   return result;
 }
 
-void allow_only(const JsonNode& node, const Keys& keys) {
+void allow_only(const JsonNode& node, const Keys& keys) { allow_only(node, keys, keys); }
+
+void allow_only(const JsonNode& node, const Keys& keys, const Keys& told) {
   node.require_object();
   for (const auto& [key, value] : node.value().items()) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      node.at(key).fail("unknown key; known here are " + listed(keys));
+    if (std::ranges::find(keys, key) != keys.end()) {
+      continue;
+    }
+    node.at(key).fail(std::ranges::find(told, key) == told.end()
+                          ? "unknown key; known here are " + listed(told)
+                          : "does not go with the other keys; beside them are known " +
+                                listed(keys));
+  }
+}
+
+Keys with_sizes(const Keys& keys) {
+  Keys result;
+  for (const auto key : keys) {
+    result.push_back(key);
+    if (key == "radius") {
+      result.insert(result.end(), {"size", "schedule", "outside_diameter", "inside_diameter"});
     }
   }
+  return result;
 }
 
 Vec3 vector(const JsonNode& node) {
@@ -96,19 +113,29 @@ Keys with_semi_axes(const Keys& keys) {
   return result;
 }
 
-}  // namespace
-
-std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets) {
-  Keys known;
-  const bool elliptic = is_elliptic(node);
-  for (const auto& [from_port, circular] : sets) {
-    for (const auto key : elliptic ? with_semi_axes(circular) : circular) {
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        known.push_back(key);
-      }
+void append_new(Keys& keys, const Keys& more) {
+  for (const auto key : more) {
+    if (std::ranges::find(keys, key) == keys.end()) {
+      keys.push_back(key);
     }
   }
-  allow_only(node, known);
+}
+
+}  // namespace
+
+std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets,
+                             const Keys& others) {
+  Keys known, told;
+  const bool elliptic = is_elliptic(node);
+  for (const auto& [from_port, circular] : sets) {
+    append_new(known, elliptic ? with_semi_axes(circular) : circular);
+    append_new(told, with_sizes(circular));
+  }
+  for (const auto& set : sets) {
+    append_new(told, with_semi_axes(set.keys));
+  }
+  append_new(told, others);
+  allow_only(node, known, told);
   const JsonNode from = node.at("from");
   if (!from.value().is_string() && !from.value().is_array()) {
     from.fail(std::string("must be a point [x, y, z] or a port 'part.end', not ") +

@@ -19,8 +19,13 @@ using Keys = std::vector<std::string_view>;
 /// "a, b, c".
 [[nodiscard]] std::string listed(const Keys& keys);
 
-/// Fails unless the node is an object with no other keys.
+/// Fails unless the node is an object with no other keys. `told`: which are said to be known, some
+/// of which may not go with the others that are there.
 void allow_only(const JsonNode& node, const Keys& keys);
+void allow_only(const JsonNode& node, const Keys& keys, const Keys& told);
+
+/// The keys, and those that may stand for "radius": nominal sizes and diameters.
+[[nodiscard]] Keys with_sizes(const Keys& keys);
 
 [[nodiscard]] Vec3 vector(const JsonNode& node);
 [[nodiscard]] PortReference port(const JsonNode& node);
@@ -53,8 +58,10 @@ struct KeySet {
   Keys keys;
 };
 
-/// The position of the set that has exactly the node's keys.
-[[nodiscard]] std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets);
+/// The position of the set that has exactly the node's keys. `others` are known, too, beside
+/// others.
+[[nodiscard]] std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets,
+                                           const Keys& others = {});
 
 /// "G1" or "G2".
 [[nodiscard]] Continuity continuity(const JsonNode& node);

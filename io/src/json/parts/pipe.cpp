@@ -10,7 +10,8 @@ struct PartReader<"pipe"> {
   static PartShape read(const JsonNode& node) {
     node.require_object();
     if (node.has("on")) {
-      allow_only(node, {"on", "at", "direction", "length", "radius"});
+      const Keys keys{"on", "at", "direction", "length", "radius"};
+      allow_only(node, keys, with_sizes(keys));
       return PipeOn{node.at("on").text(), node.at("at").number(), vector(node.at("direction")),
                     node.at("length").number(), node.at("radius").number()};
     }
@@ -18,7 +19,7 @@ struct PartReader<"pipe"> {
                                              {false, {"from", "direction", "length", "radius"}},
                                              {true, {"from", "length"}},
                                              {true, {"from", "to"}}}};
-    switch (matching_key_set(node, sets)) {
+    switch (matching_key_set(node, sets, {"on", "at"})) {
       case 0:
         return PipeBetween{vector(node.at("from")), vector(node.at("to")), section(node).radius,
                            section(node).axes};

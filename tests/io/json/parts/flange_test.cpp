@@ -59,7 +59,8 @@ TEST(FlangeKey, says_what_is_wrong_with_it) {
       {pipe_and(R"({"name": "f", "flange": {"at": "a.end", "radius": 3}})"),
        "d.json#/parts/1/flange", "the key 'thickness' is missing"},
       {pipe_and(R"({"name": "f", "flange": {"at": "a.end", "length": 3}})"),
-       "d.json#/parts/1/flange/length", "unknown key; known here are at, radius, thickness"},
+       "d.json#/parts/1/flange/length",
+       "unknown key; known here are at, radius, thickness, size, class"},
       {pipe_and(R"({"name": "f", "flange": {"at": "a.end", "size": "DN100", "class": 600}})"),
        "d.json#/parts/1/flange/class",
        "there is no flange of NPS 4 in class 600 here, but of NPS 1/2 to 24 in classes 150 and 300 "

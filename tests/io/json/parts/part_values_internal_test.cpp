@@ -156,12 +156,18 @@ TEST(PartValues, a_set_of_keys_is_found_by_all_of_them) {
       {R"({"from": [0, 0, 0], "length": 0})",
        "d#/p: from a point, give {from, to, radius} or {from, direction, length, radius}"},
       {R"({"from": [0, 0, 0], "axis": 0})",
-       "d#/p/axis: unknown key; known here are from, to, radius, length, direction"},
+       "d#/p/axis: does not go with the other keys; beside them are known from, to, radius, "
+       "length, "
+       "direction"},
       {R"({"from": [0, 0, 0], "semi_axes": 0})",
        "d#/p: from a point, give {from, to, semi_axes, axis} or {from, direction, length, "
        "semi_axes, axis}"},
       {R"({"from": [0, 0, 0], "semi_axes": 0, "radius": 0})",
-       "d#/p/radius: unknown key; known here are from, to, semi_axes, axis, length, direction"},
+       "d#/p/radius: does not go with the other keys; beside them are known from, to, semi_axes, "
+       "axis, length, direction"},
+      {R"({"from": [0, 0, 0], "x": 0})",
+       "d#/p/x: unknown key; known here are from, to, radius, size, schedule, outside_diameter, "
+       "inside_diameter, length, direction, semi_axes, axis"},
       {R"({"to": 0})", "d#/p: the key 'from' is missing"},
       {R"({"from": 1})", "d#/p/from: must be a point [x, y, z] or a port 'part.end', not number"},
   };

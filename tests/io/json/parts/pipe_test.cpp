@@ -48,7 +48,8 @@ TEST(PipeKey, says_what_is_wrong_with_it) {
        "must be an object, not array"},
       {document(R"({"name": "a", "pipe": {"from": [0, 0, 0], "too": [1, 0, 0]}})"),
        "d.json#/parts/0/pipe/too",
-       "unknown key; known here are from, to, radius, direction, length"},
+       "unknown key; known here are from, to, radius, size, schedule, outside_diameter, "
+       "inside_diameter, direction, length, semi_axes, axis, on, at"},
       {document(R"({"name": "a", "pipe": {"to": [1, 0, 0], "radius": 1}})"), "d.json#/parts/0/pipe",
        "the key 'from' is missing"},
       {document(R"({"name": "a", "pipe": {"from": 0, "to": [1, 0, 0], "radius": 1}})"),
