@@ -156,6 +156,9 @@ void refuse_contradictions(const BomArguments& arguments, const CommonOptions& c
       throw UsageError("--triangles is for the mesh of bom --mesh");
     }
   }
+  if (!arguments.walls.insulation.empty()) {
+    throw UsageError("--insulation changes nothing that bom lists; leave it out");
+  }
   if (arguments.csv && (common.json || arguments.mesh)) {
     throw UsageError("--csv excludes --json and --mesh");
   }

@@ -314,6 +314,11 @@ struct VerifyArguments {
 
 ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("verify", common);
+  if (arguments.document.empty() && is_given(arguments.source)) {
+    throw UsageError(
+        "--radius, --unit, --snap, --bridge, --bore, --schedule, --fillet, --keep-going and "
+        "--strict say how FILE is read, and none is given");
+  }
   const Input input = read_input(arguments.file);
   Certificate certificate = parse_certificate(input.bytes, input.name);
   if (!arguments.document.empty()) {

@@ -165,7 +165,8 @@ ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
   const MeshHeader header{all.unit.empty() ? stated : all.unit, {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   // What is not rounded need not be proved a solid, unless that is asked for.
-  const bool unchanged = !is_of_numbers(arguments) && to.patches.empty();
+  const bool unchanged = !is_of_numbers(arguments) && to.patches.empty() &&
+                         arguments.output.verification != name(Verification::compare);
   const TriMesh mesh = read_mesh(input.bytes, input.name);
   const bool is_placed = !all.placement.empty() || (!all.unit.empty() && all.unit != stated);
   const bool stays_solid =

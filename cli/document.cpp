@@ -51,6 +51,18 @@ void refuse_foreign(const SourceArguments& arguments, const std::string& wall, D
   }
 }
 
+// A side is one of walls.
+void refuse_idle_side(const WallArguments& walls, const Assembly& assembly) {
+  const bool has_walls =
+      assembly.wall.value_or(0) > 0 || std::ranges::any_of(assembly.parts, [](const Part& part) {
+        return part.wall.value_or(0) > 0;
+      });
+  if (!walls.side.empty() && !has_walls) {
+    throw UsageError("--wall-side says where walls are, and nothing in " + assembly.source +
+                     " has one; give --wall, too, or leave it out");
+  }
+}
+
 // None for an empty text.
 std::optional<double> length_if_given(Unit unit, const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(length_in(unit, text, 0));
@@ -125,6 +137,21 @@ std::vector<std::string> meshes_avoided_by(const PartShape& shape) {
 
 }  // namespace
 
+bool is_given(const SourceArguments& arguments) {
+  const auto& [radius, unit, snap, bridge, bore, schedule, fillet, keep_going, strict] = arguments;
+  return keep_going || strict ||
+         !(radius.empty() && unit.empty() && snap.empty() && bridge.empty() && bore.empty() &&
+           schedule.empty() && fillet.empty());
+}
+
+void refuse_idle_insulation(const WallArguments& walls, const std::string& region) {
+  if (!walls.insulation.empty() && region != name(Region::insulation)) {
+    throw UsageError(
+        "--insulation is for what is about the parts; give --region insulation, too, or leave it "
+        "out");
+  }
+}
+
 void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,
                     const WallArguments& walls) {
   refuse_foreign(arguments, walls.wall, DocumentKind::assembly);
@@ -195,6 +222,7 @@ Document read_document(const Input& input, const SourceArguments& arguments,
     }
   };
   apply(document.assembly);
+  refuse_idle_side(walls, document.assembly);
   if (document.piping) {  // for networks that are made anew
     document.piping_options.wall_side = document.assembly.wall_side;
     document.piping_options.insulation = document.assembly.insulation;

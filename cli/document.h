@@ -46,6 +46,12 @@ struct WallArguments {
                                      const WallArguments& walls = {},
                                      const Progress& progress = {});
 
+/// Whether any of them is.
+[[nodiscard]] bool is_given(const SourceArguments& arguments);
+
+/// Insulation is made of its own region only. Throws UsageError.
+void refuse_idle_insulation(const WallArguments& walls, const std::string& region);
+
 /// Of what is a mesh: none of these options, each of which is for a document, is given. Throws
 /// UsageError.
 void refuse_of_mesh(const std::string& name, const SourceArguments& arguments,

@@ -30,7 +30,7 @@ struct DrawArguments {
   WallArguments walls;
   std::vector<double> direction, up;
   SourceArguments source;
-  double dots_per_inch = 150;
+  std::optional<double> dots_per_inch;
   std::size_t most_triangles = kUsualTriangles;
   bool hidden = false, center = false, shaded = false;
   SheetOptions sheet;
@@ -71,8 +71,9 @@ std::string page(const Drawing& drawing, const Solid& solid, const DrawingScale&
     case Page::pdf:
       return drawing_pdf(drawing, scale, arguments.sheet);
     case Page::png:
-      return drawing_png(drawing, scale, arguments.sheet,
-                         {arguments.dots_per_inch, arguments.shaded ? &solid : nullptr, colours});
+      return drawing_png(
+          drawing, scale, arguments.sheet,
+          {arguments.dots_per_inch.value_or(150), arguments.shaded ? &solid : nullptr, colours});
   }
   return {};
 }
@@ -129,6 +130,12 @@ std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments
   if (arguments.shaded && page_of(arguments.output) != Page::png) {
     throw UsageError("--shaded is for pictures: write a .png file");
   }
+  if (arguments.dots_per_inch && page_of(arguments.output) != Page::png) {
+    throw UsageError(
+        "--dpi is for pictures, and lines of SVG and PDF have no pixels: write a .png "
+        "file, or leave it out");
+  }
+  refuse_idle_insulation(arguments.walls, arguments.region);
   try {
     const auto up = arguments.up.empty() ? std::nullopt : std::optional(vector_of(arguments.up));
     return {{view_along(direction_of(arguments), up), arguments.hidden, arguments.center},
@@ -199,7 +206,8 @@ void add_draw(CLI::App& app, Action& action) {
                     "What is upwards in the picture; z if not given, or y seen along z");
   command
       ->add_option("--scale", arguments->scale,
-                   "Such as 1:50; if not given, the largest usual one that fits on A3")
+                   "Such as 1:50; if not given, the largest usual one that fits on A3,\n"
+                   "landscape")
       ->type_name("PAPER:REAL");
   command->add_flag("--hidden", arguments->hidden, "Draw hidden lines, too, dashed");
   command->add_flag("--axes", arguments->center, "Draw the axes of the parts, dash-dotted");

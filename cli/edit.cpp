@@ -34,8 +34,33 @@ struct EditArguments {
   std::string file, output, part, move, twist;
   bool on_locus = false;
   PlacementArguments placement;
-  double margin = kEditMargin;
+  std::optional<double> margin;
+
+  [[nodiscard]] double least_margin() const { return margin.value_or(kEditMargin); }
 };
+
+/// What is said before anything is read.
+void refuse_contradictions(const EditArguments& arguments) {
+  if (!arguments.placement.empty()) {
+    if (!arguments.move.empty() || !arguments.twist.empty() || !arguments.part.empty() ||
+        arguments.on_locus || arguments.margin) {
+      throw UsageError(
+          "--translate, --rotate and --scale are for the whole document, not beside --move, "
+          "--twist, --on-locus, --part or --margin; edit twice");
+    }
+    return;
+  }
+  if (arguments.move.empty() == arguments.twist.empty()) {
+    throw UsageError(
+        "edit needs either --move or --twist, or else --translate, --rotate or --scale");
+  }
+  if (arguments.on_locus && arguments.move.empty()) {
+    throw UsageError("--on-locus is for --move");
+  }
+  if (!(arguments.least_margin() >= 0 && arguments.least_margin() < 1)) {
+    throw UsageError("--margin takes a number of at least 0 and less than 1");
+  }
+}
 
 /// "4=1,2,3": a sphere and numbers.
 template <std::size_t kCount>
@@ -93,16 +118,6 @@ class Edit {
  public:
   Edit(const EditArguments& arguments, const Assembly& before, std::uint32_t part)
       : arguments_(arguments), before_(before), part_(part) {
-    if (arguments.move.empty() == arguments.twist.empty()) {
-      throw UsageError(
-          "edit needs either --move or --twist, or else --translate, --rotate or --scale");
-    }
-    if (arguments.on_locus && arguments.move.empty()) {
-      throw UsageError("--on-locus is for --move");
-    }
-    if (!(arguments.margin >= 0 && arguments.margin < 1)) {
-      throw UsageError("--margin takes a number of at least 0 and less than 1");
-    }
     const auto& spheres = std::get<CyclideChainThrough>(before.parts[part].shape).spheres;
     if (!arguments.move.empty()) {
       const auto [sphere, to] = change<4>("--move", arguments.move, "SPHERE=X,Y,Z,RADIUS");
@@ -135,7 +150,7 @@ class Edit {
     try {
       Assembly after = before_;
       after.parts[part_].shape = share == 0 ? before_.parts[part_].shape : chain_at(share);
-      check_edit(after, part_, arguments_.margin, build_all);
+      check_edit(after, part_, arguments_.least_margin(), build_all);
       return true;
     } catch (const Error& error) {
       if (error.code() == Errc::cancelled) {
@@ -267,12 +282,6 @@ void print_edit(std::ostream& out, const EditReport& report) {
 
 /// Puts the whole document elsewhere.
 ExitCode run_placement(const EditArguments& arguments, const CommonOptions& common) {
-  if (!arguments.move.empty() || !arguments.twist.empty() || !arguments.part.empty() ||
-      arguments.on_locus) {
-    throw UsageError(
-        "--translate, --rotate and --scale are for the whole document, not beside --move, --twist, "
-        "--on-locus or --part; edit twice");
-  }
   const Input input = read_input(arguments.file);
   const Assembly before = parse_assembly(input.bytes, input.name);
   require_meshes_not_written(before);
@@ -294,6 +303,7 @@ ExitCode run_placement(const EditArguments& arguments, const CommonOptions& comm
 
 ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("edit", common);
+  refuse_contradictions(arguments);
   if (!arguments.placement.empty()) {
     return run_placement(arguments, common);
   }
@@ -305,12 +315,12 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   const Edit edit(arguments, before, part);
   const std::string text = or_farthest(edit, before.parts[part].name, [&] {
     std::string written = with_chain(input.bytes, input.name, part, edit.whole());
-    check_edit(parse_assembly(written, input.name), part, arguments.margin);
+    check_edit(parse_assembly(written, input.name), part, arguments.least_margin());
     return written;
   });
   const Assembly after = parse_assembly(text, input.name);
   EditReport report = compared(before, after, part);
-  report.turned = turned_pieces(after, part, arguments.margin);
+  report.turned = turned_pieces(after, part, arguments.least_margin());
   report.file = arguments.output;
   // What no path has is read, or written, in the working directory.
   const auto place = [](const std::string& path) { return output_path(path) == "-" ? "" : path; };

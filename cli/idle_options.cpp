@@ -69,6 +69,7 @@ void refuse_idle_of_volume(const RoundingArguments& rounding, const OutputArgume
 }
 
 void refuse_idle_options(const BuildArguments& arguments) {
+  refuse_idle_insulation(arguments.walls, arguments.region);
   if (is_step(arguments.output)) {
     refuse_idle_of_step(arguments);
   } else if (is_volume(arguments.output)) {

@@ -108,6 +108,7 @@ TriMesh round(const Solid& solid, OutputReport& report) {
 
 ExitCode report_document(const ReportArguments& arguments, const Input& input,
                          const std::string& page, const CommonOptions& common) {
+  refuse_idle_insulation(arguments.walls, arguments.region);
   Document document = read_document(input, arguments.source, arguments.walls);
   Assembly& assembly = document.assembly;
   if (!common.tolerance.empty()) {

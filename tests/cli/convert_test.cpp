@@ -151,5 +151,20 @@ TEST_F(MeshCommands, writes_the_wall_of_a_graph) {
   EXPECT_EQ(nlohmann::json::parse(folder_.read("neuron.json")).at("wall"), 0.1);
 }
 
+// A solid that need not be rounded is proved for it, and written the same.
+TEST_F(MeshCommands, convert_compares_what_is_read_back_where_that_is_asked_for) {
+  put("a.off", box({0, 0, 0}, {2, 3, 4}));
+  put("open.off", open_box());
+  const auto how = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "convert");
+    return json(arguments, 0).at("verification");
+  };
+  EXPECT_EQ(how({"a.off", "usual.stl"}), "full");
+  EXPECT_EQ(how({"a.off", "full.stl", "--verify", "full"}), "full");
+  EXPECT_EQ(how({"a.off", "compare.stl", "--verify", "compare"}), "compare");
+  EXPECT_EQ(how({"open.off", "open.stl", "--verify", "compare"}), "full");
+  EXPECT_EQ(folder_.read("compare.stl"), folder_.read("usual.stl"));
+}
+
 }  // namespace
 }  // namespace dupin::test

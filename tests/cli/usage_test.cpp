@@ -102,6 +102,52 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
 }
 
+// Who gives an option expects something of it.
+TEST_F(Usage, options_that_would_do_nothing_are_refused) {
+  const std::string tee = example("tee.json"), line = example("line.pcf");
+  folder_.write("p.json", R"({"units": "mm", "tolerance": 1, "parts": [
+      {"name": "p", "pipe": {"from": [0, 0, 0], "to": [9, 0, 0], "radius": 3}}]})");
+  ASSERT_EQ(dupin({"certify", "p.json", "-o", "p.cert.json"}).exit_code, 0);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table{
+      {{"bom", tee, "--insulation", "3mm"}, "--insulation changes nothing that bom lists"},
+      {{"build", tee, "-o", "b.stl", "--insulation", "3mm"}, "give --region insulation, too"},
+      {{"build", tee, "-o", "b.stl", "--insulation", "3mm", "--region", "outer"},
+       "give --region insulation, too"},
+      {{"draw", tee, "-o", "b.svg", "--insulation", "3mm"}, "give --region insulation, too"},
+      {{"report", tee, "-o", "b.html", "--insulation", "3mm"}, "give --region insulation, too"},
+      {{"draw", tee, "-o", "b.svg", "--dpi", "30"}, "--dpi is for pictures"},
+      {{"draw", tee, "-o", "b.pdf", "--dpi", "30"}, "--dpi is for pictures"},
+      {{"verify", "p.cert.json", "--snap", "1mm"}, "say how FILE is read, and none is given"},
+      {{"verify", "p.cert.json", "--radius", "1mm"}, "say how FILE is read, and none is given"},
+      {{"edit", tee, "-o", "b.json"}, "edit needs either --move or --twist"},
+      {{"edit", "none.json", "-o", "b.json"}, "edit needs either --move or --twist"},
+      {{"edit", tee, "-o", "b.json", "--scale", "2", "--margin", "0.1"}, "or --margin; edit twice"},
+      {{"edit", tee, "-o", "b.json", "--move", "1=0,0,0,1", "--margin", "5"},
+       "--margin takes a number of at least 0"},
+  };
+  for (const auto& [arguments, message] : table) {
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 2) << message << result.err;
+    EXPECT_THAT(result.err, testing::HasSubstr(message));
+  }
+  for (const std::string command : {"build", "draw", "bom", "report", "convert"}) {
+    std::vector<std::string> arguments{command, command == "convert" ? line : "p.json",
+                                       "--wall-side", "outwards"};
+    if (command == "convert") {
+      arguments.push_back("b.json");
+    } else if (command != "bom") {
+      arguments.insert(arguments.end(), {"-o", command == "draw"     ? "b.svg"
+                                               : command == "report" ? "b.html"
+                                                                     : "b.stl"});
+    }
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 2) << command << result.err;
+    EXPECT_THAT(result.err, testing::HasSubstr("--wall-side says where walls are, and nothing in"));
+    arguments.insert(arguments.end(), {"--wall", "1mm"});
+    EXPECT_NE(dupin(arguments).exit_code, 2) << command;
+  }
+}
+
 TEST_F(Usage, faults_are_json_when_asked) {
   const ProcessResult result = dupin({"check", "--json"});
   EXPECT_EQ(result.exit_code, 2);
