@@ -236,9 +236,11 @@ TEST_F(Build, states_the_least_wall_and_names_patches_anew) {
   for (const char* end : {"inflow", "outflow", "drain"}) {
     EXPECT_EQ(names.count(end), 1) << end;
   }
-  const auto report = json({"build", example("vessel.json"), "-o", "a.off", "--tolerance", "1mm",
-                            "--wall-side", "outwards"},
-                           0);
+  folder_.write("v.json", R"({"units": "mm", "tolerance": 1, "wall": 8, "parts": [
+      {"name": "shell", "pipe": {"from": [0, 0, 0], "to": [0, 0, 900], "radius": 305}},
+      {"name": "top", "head": {"from": "shell.end", "form": "ellipsoidal"}},
+      {"name": "bottom", "head": {"from": "shell.start", "form": "kloepper"}}]})");
+  const auto report = json({"build", "v.json", "-o", "a.off", "--wall-side", "outwards"}, 0);
   for (const auto& part : report.at("parts")) {
     if (part.at("name") == "top") {
       EXPECT_LT(part.at("least_wall"), 8);
@@ -248,6 +250,14 @@ TEST_F(Build, states_the_least_wall_and_names_patches_anew) {
       EXPECT_NEAR(part.at("least_wall"), 8, 1e-6);
     }
   }
+}
+
+TEST_F(Build, sizes_stay_outside_diameters_and_what_goes_on_from_them_has_to) {
+  const ProcessResult result =
+      dupin({"build", example("vessel.json"), "-o", "a.off", "--wall-side", "outwards"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("'top': it shares a ring with 'shell'"));
+  EXPECT_THAT(result.err, HasSubstr("neighbours have the same wall and wall_side"));
 }
 
 TEST_F(Build, refuses_names_of_patches_that_are_none) {

@@ -108,7 +108,7 @@ class Resolver {
                decimal(outward_[other], kMessageDigits) +
                " outside of the radii in the document, and its own " +
                decimal(outward_[part], kMessageDigits) +
-               "; where radii are not outside ones, neighbours have the same wall");
+               "; where radii are not outside ones, neighbours have the same wall and wall_side");
     }
   }
 
