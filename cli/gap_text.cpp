@@ -90,6 +90,14 @@ void print_mesh_gaps(std::ostream& out, const MeshGapSummary& summary) {
   }
   print_row(out, "touching", report.touching ? "yes" : "no");
   print_row(out, "union", counted(report.components, "component"));
+  if (report.components > 1) {
+    out << "  apart: " << summary.file_a << " and " << summary.file_b
+        << (report.touching ? " touch, but are not one piece" : " do not touch")
+        << (report.facing.empty() ? ", and no faces look at each other from within " +
+                                        number(summary.connect) + "; see --connect"
+                                  : "")
+        << '\n';
+  }
 }
 
 }  // namespace dupin::cli

@@ -45,8 +45,26 @@ TEST(GapText, of_two_meshes_tells_slits_and_pieces) {
                                      test::box({1.25, 0, 0}, {2, 1, 1}), {.connect = 0.5})});
   EXPECT_NE(out.str().find("slits                1\n"), std::string::npos) << out.str();
   EXPECT_NE(out.str().find(" of faces, 0.25 to 0.25 apart, at ("), std::string::npos);
-  EXPECT_NE(out.str().find("touching             no\nunion                2 components\n"),
+  EXPECT_NE(out.str().find("touching             no\nunion                2 components\n"
+                           "  apart: a and b do not touch\n"),
             std::string::npos);
+}
+
+TEST(GapText, of_two_meshes_tells_that_they_are_apart) {
+  const auto text = [](const TriMesh& a, const TriMesh& b) {
+    std::ostringstream out;
+    print_mesh_gaps(out, {"a.off", "b.off", 0.5, measure_gaps(a, b, {.connect = 0.5})});
+    return out.str();
+  };
+  const TriMesh box = test::box({0, 0, 0}, {1, 1, 1});
+  const TriMesh beside = test::box({1, 0, 0}, {2, 1, 1}), far = test::box({9, 0, 0}, {10, 1, 1});
+  const std::string nowhere = ", and no faces look at each other from within 0.5; see --connect\n";
+  EXPECT_THAT(text(box, far),
+              testing::HasSubstr("  apart: a.off and b.off do not touch" + nowhere));
+  EXPECT_THAT(
+      text(box, test::joined({beside, far})),
+      testing::HasSubstr("  apart: a.off and b.off touch, but are not one piece" + nowhere));
+  EXPECT_THAT(text(box, beside), testing::Not(testing::HasSubstr("apart")));
 }
 
 }  // namespace

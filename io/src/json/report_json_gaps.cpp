@@ -75,6 +75,11 @@ Json list(const std::vector<Value>& values) {
   return json_list(values, [](const Value& value) { return json_value(value); });
 }
 
+// Not one piece, which counts as a finding.
+bool are_apart(const MeshGapSummary& summary) {
+  return !summary.file_b.empty() && summary.report.components > 1;
+}
+
 Json mesh_gap_json(const MeshGapSummary& summary) {
   const MeshGapReport& report = summary.report;
   return {{"file_a", summary.file_a},
@@ -87,6 +92,7 @@ Json mesh_gap_json(const MeshGapSummary& summary) {
           {"welded_faces", report.welded_faces},
           {"flat_faces", report.flat_faces},
           {"touching", report.touching},
+          {"apart", are_apart(summary)},
           {"components", report.components}};
 }
 
