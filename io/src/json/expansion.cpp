@@ -60,11 +60,15 @@ Values::Values(const JsonNode& document, Unit unit) : document_(document), unit_
     }
   }
   for (const auto& [name, definition] : values.value().items()) {
-    (void)value(values, name);
+    try {
+      (void)value(name);
+    } catch (const LookupFault& fault) {
+      values.at(name).fail(fault.message);
+    }
   }
 }
 
-Json Values::value(const JsonNode& user, std::string_view name) {
+Json Values::value(std::string_view name) {
   if (const auto variable = variables_.find(name); variable != variables_.end()) {
     return variable->second;
   }
@@ -73,7 +77,7 @@ Json Values::value(const JsonNode& user, std::string_view name) {
     return known->second.value;
   }
   if (!document_.has("values") || !document_.at("values").has(name)) {
-    user.fail("there is no value named '" + std::string(name) + "'");
+    throw LookupFault{"there is no value named '" + std::string(name) + "'"};
   }
   const JsonNode definition = document_.at("values").at(name);
   pending_.emplace_back(name);
@@ -83,11 +87,12 @@ Json Values::value(const JsonNode& user, std::string_view name) {
     for (auto at = first; at != pending_.end(); ++at) {
       circle.append(circle.empty() ? "'" : " -> '").append(*at).append("'");
     }
-    user.fail("values must not need each other in a circle: " + circle);
+    throw LookupFault{"values must not need each other in a circle: " + circle};
   }
   const auto bound = [&](std::size_t values) {
     if (values > kLongestChain) {
-      user.fail("more than " + std::to_string(kLongestChain) + " values need each other in a row");
+      throw LookupFault{"more than " + std::to_string(kLongestChain) +
+                        " values need each other in a row"};
     }
   };
   bound(pending_.size());  // and the recursion
@@ -125,8 +130,7 @@ Json Values::element(const JsonNode& definition) {
   }
   const std::string text = definition.text();
   if (is_expression(text)) {
-    return evaluated(definition, unit_,
-                     [&](std::string_view name) { return value(definition, name); });
+    return evaluated(definition, unit_, [&](std::string_view name) { return value(name); });
   }
   const auto length = quantity(text, unit_);
   return length ? number_value(*length) : definition.value();
@@ -178,7 +182,7 @@ Json Values::each_replaced(const JsonNode& node, std::string_view without) {
   }
   const std::string text = node.text();
   count(node, text.size());
-  const auto lookup = [&](std::string_view name) { return this->value(node, name); };
+  const auto lookup = [&](std::string_view name) { return this->value(name); };
   if (is_expression(text)) {
     Json result = evaluated(node, unit_, lookup);
     count(node, result.is_array() ? result.size() : 1);

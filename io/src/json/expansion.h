@@ -27,7 +27,7 @@ class Values {
   friend class Expansion;
 
   [[nodiscard]] Json each_replaced(const JsonNode& node, std::string_view without);
-  [[nodiscard]] Json value(const JsonNode& user, std::string_view name);
+  [[nodiscard]] Json value(std::string_view name);
   [[nodiscard]] Json defined(const JsonNode& definition);
   [[nodiscard]] Json element(const JsonNode& definition);
   void count(const JsonNode& node, std::size_t amount);

@@ -35,7 +35,7 @@ class Parser {
       const std::string_view name = take_name();
       skip_space();
       if (at_ == text_.size()) {
-        return lookup_(name);
+        return looked_up(name, begin);
       }
       at_ = begin;
     }
@@ -50,6 +50,14 @@ class Parser {
   [[noreturn]] void fail(const std::string& message, std::size_t at) const {
     node_.fail("in \"" + std::string(full_) + "\", column " + std::to_string(at + 1) + ": " +
                message);
+  }
+
+  Json looked_up(std::string_view name, std::size_t at) const {
+    try {
+      return lookup_(name);
+    } catch (const LookupFault& fault) {
+      fail(fault.message, at);
+    }
   }
 
   double finite(double value, std::size_t at) const {
@@ -119,7 +127,7 @@ class Parser {
   double named() {
     const std::size_t begin = at_;
     const std::string_view name = take_name();
-    const Json value = lookup_(name);
+    const Json value = looked_up(name, begin);
     if (value.is_number()) {
       return value.get<double>();
     }

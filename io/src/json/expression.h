@@ -13,7 +13,13 @@ namespace dupin::json {
 /// Expressions and texts with braces have at most so many bytes, and what they make too.
 inline constexpr std::size_t kLongestExpression = 1000;
 
-/// What a name stands for: a number, a text or a list of these. Throws for one that is unknown.
+/// Why a name stands for nothing. Whoever reads the expression says where.
+struct LookupFault {
+  std::string message;
+};
+
+/// What a name stands for: a number, a text or a list of these. Throws LookupFault for one that is
+/// unknown.
 using Lookup = std::function<Json(std::string_view name)>;
 
 /// Whether it can be the name of a value: letters, digits and _, no digit first, and no unit.
@@ -25,7 +31,8 @@ using Lookup = std::function<Json(std::string_view name)>;
 /// The value of "=run/2 + 3 mm": numbers, also with a unit, names, + - * / and parentheses. In
 /// arithmetic a nominal size ("DN100") is its outside diameter; a lone name is whatever the name
 /// stands for. All lengths are in `unit`, whole numbers unsigned. Throws what `node` fails with,
-/// the message naming the column in bytes, for faults of form and results that are not finite.
+/// the message naming the column in bytes, for faults of form, names that stand for nothing, and
+/// results that are not finite.
 [[nodiscard]] Json evaluated(const JsonNode& node, Unit unit, const Lookup& lookup);
 
 /// The text with the value of each {expression} in its place.
