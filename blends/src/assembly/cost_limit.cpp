@@ -215,6 +215,13 @@ class Estimator {
   std::span<const RingSampling> given_;  // by part
 };
 
+/// Rounded so that it looks larger than the limit, as it is.
+std::string count_above(double count, double limit) {
+  const std::string text = count_text(std::ceil(count));
+  constexpr int kAllDigits = 17;
+  return text != count_text(limit) ? text : decimal(std::ceil(count), kAllDigits);
+}
+
 std::string what_is_asked_for(const Assembly& assembly, const Estimate& estimate,
                               const Limit& limit) {
   const std::string tolerance = "a tolerance of " + decimal(assembly.tolerance, kMessageDigits);
@@ -229,13 +236,13 @@ std::string what_is_asked_for(const Assembly& assembly, const Estimate& estimate
     return own < 0.9 * all ? ", " + count_text(own) + " of them for this part alone" : "";
   };
   if (estimate.all.triangles / limit.triangles > estimate.all.pairs / limit.pairs) {
-    return text + "about " + count_text(estimate.all.triangles) + " triangles" +
+    return text + "about " + count_above(estimate.all.triangles, limit.triangles) + " triangles" +
            shared(estimate.all.triangles, estimate.worst.triangles) + "; the limit is " +
            count_text(limit.triangles);
   }
   return text + std::to_string(estimate.segments) +
          " segments around this part, whose triangles lie side by side: about " +
-         count_text(estimate.all.pairs) + " pairs to compare" +
+         count_above(estimate.all.pairs, limit.pairs) + " pairs to compare" +
          shared(estimate.all.pairs, estimate.worst.pairs) + "; the limit is " +
          count_text(limit.pairs);
 }
@@ -267,7 +274,8 @@ std::string what_would_do(std::span<const Estimator> estimators, const Assembly&
                           double coarsest) {
   const auto enough = tolerance_that_would_do(estimators, assembly);
   if (!enough) {
-    return "; fewer segments may do, smaller parts, or a higher limit";
+    return assembly.segments ? "; fewer segments may do, smaller parts, or a higher limit"
+                             : "; smaller parts may do, or a higher limit";
   }
   return *enough <= coarsest
              ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"

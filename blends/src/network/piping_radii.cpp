@@ -129,14 +129,21 @@ void infer_radii(const PipingLine& line, const std::vector<PortPair>& pairs,
     was_known[i] = ports[i].radius.has_value();
   }
   Radii(line, pairs, ports).run();
+  std::vector<bool> has_neighbour(line.components.size());
+  for (const PortPair& pair : pairs) {
+    has_neighbour[ports[pair.first].component] = true;
+    has_neighbour[ports[pair.second].component] = true;
+  }
   for (std::size_t i = 0; i < ports.size(); ++i) {
     const bool is_first = i == 0 || ports[i - 1].component != ports[i].component;
     const bool is_said = !is_first && !was_known[i - 1];
     if (!was_known[i] && ports[i].radius && !is_said) {
       notes.add(line.components[ports[i].component],
                 "has no bore at line " + std::to_string(ports[i].line) +
-                    "; its neighbours' radius " + decimal(*ports[i].radius, kMessageDigits) +
-                    " is taken");
+                    (has_neighbour[ports[i].component] ? "; its neighbours' radius "
+                                                       : "; the radius of another of its ends, ") +
+                    decimal(*ports[i].radius, kMessageDigits) +
+                    (has_neighbour[ports[i].component] ? " is taken" : ", is taken"));
     }
   }
 }

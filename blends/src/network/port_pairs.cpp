@@ -106,7 +106,8 @@ std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double sna
           throw Error(Errc::limit_exceeded,
                       "more than " + std::to_string(kMostCandidates) +
                           " pairs of ends lie within " + decimal(reach, kMessageDigits) +
-                          " of each other, as at line " + std::to_string(ports[i].line));
+                          " of each other, as at line " + std::to_string(ports[i].line) +
+                          "; a smaller snap or bridge length may do");
         }
       }
     }

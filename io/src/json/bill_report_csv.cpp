@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "dupin/io/bill_report.h"
@@ -101,11 +103,12 @@ std::optional<double> volume(const std::optional<SolidMoments>& solid) {
   return solid ? std::optional(solid->volume) : std::nullopt;
 }
 
-std::string cells(const BillRow& row, const BillReport& report, const BillOrigin& from) {
+std::string cells(const BillRow& row, std::optional<double> wall, const BillReport& report,
+                  const BillOrigin& from) {
   Line line;
   line.text(row.name).text(row.kind).text(from.component).text(from.kind);
   line.number(from.line > 0 ? std::optional(double(from.line)) : std::nullopt);
-  line.text(size_text(row.sizes, report.bill.unit)).number(row.wall).number(row.length);
+  line.text(size_text(row.sizes, report.bill.unit)).number(wall).number(row.length);
   line.number(row.bend_radius).number(row.bend_angle).number(row.area).number(volume(row.outer));
   line.number(volume(row.metal)).number(volume(row.fluid));
   line.number(row.metal ? mass(report, row.metal->volume) : std::nullopt).moments(row.metal);
@@ -120,10 +123,14 @@ BillRow sum_of(const BillOfMaterials& bill) {
   const BillTotals sum = totals(bill);
   BillRow row;
   row.name = "sum";
-  row.area = sum.area;
-  row.outer = sum.outer;
-  row.metal = sum.metal;
-  row.fluid = sum.fluid;
+  const auto is_any = [&](const auto& measure) {
+    return std::ranges::any_of(bill.rows, [&](const BillRow& of) { return bool(of.*measure); });
+  };
+  // What no row has is not summed up to 0.
+  row.area = is_any(&BillRow::area) ? std::optional(sum.area) : std::nullopt;
+  row.outer = is_any(&BillRow::outer) ? std::optional(sum.outer) : std::nullopt;
+  row.metal = is_any(&BillRow::metal) ? std::optional(sum.metal) : std::nullopt;
+  row.fluid = is_any(&BillRow::fluid) ? std::optional(sum.fluid) : std::nullopt;
   row.remarks.emplace_back("over all rows: what lies in two parts counts twice");
   if (sum.without_volume > 0) {
     row.remarks.push_back("rows without a metal volume: " + std::to_string(sum.without_volume));
@@ -137,9 +144,9 @@ std::string to_csv(const BillReport& report) {
   const UsualArithmetic usual;
   std::string result = head(report.bill.unit);
   for (const BillRow& row : report.bill.rows) {
-    result += cells(row, report, origin(report, row));
+    result += cells(row, row.wall, report, origin(report, row));
   }
-  return result + cells(sum_of(report.bill), report, {});
+  return result + cells(sum_of(report.bill), std::nullopt, report, {});
 }
 
 }  // namespace dupin

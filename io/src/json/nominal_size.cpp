@@ -116,7 +116,9 @@ double outside_of(const JsonNode& diameter) {
   const double outside = diameter.number();
   if (!(outside >= kLeast && outside <= kLargest)) {
     diameter.fail("must be a positive number between 2e-12 and 2e12, not " +
-                  decimal(outside, kMessageDigits));
+                  (outside > kLargest ? decimal_at_most(outside)
+                   : outside > 0      ? decimal_at_least(outside)
+                                      : decimal(outside, kMessageDigits)));
   }
   return outside;
 }

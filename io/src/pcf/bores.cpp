@@ -22,6 +22,7 @@ struct Meaning {
   const NominalPipe* nominal = nullptr;  ///< if the bore is a name
   bool is_doubtful = false;              ///< a name and an outside diameter of another size
   bool is_odd = false;                   ///< neither
+  bool is_used = false;                  ///< by a component that does not say its diameter
 };
 
 std::string size_text(const NominalPipe& pipe) {
@@ -36,11 +37,13 @@ bool is_likely_name(const Meaning& own, std::size_t names, std::size_t diameters
 
 }  // namespace
 
-void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning meaning) {
+void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning meaning,
+                  std::span<const std::optional<double>> own_radii) {
   std::map<double, Meaning> meanings;
   std::size_t names = 0, diameters = 0;
-  for (const PipingComponent& component : file.line.components) {
-    for (const PipingPort& port : component.ports) {
+  for (std::size_t i = 0; i < file.line.components.size(); ++i) {
+    const bool is_used = own_radii.empty() || !own_radii[i];
+    for (const PipingPort& port : file.line.components[i].ports) {
       if (!port.radius) {
         continue;
       }
@@ -48,10 +51,14 @@ void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning 
       auto [found, is_new] = meanings.try_emplace(bore);
       Meaning& own = found->second;
       if (is_new) {
-        own = {bore * millimetres, port.line, called(bore, unit), false, false};
+        own = {bore * millimetres, port.line, called(bore, unit)};
         const NominalPipe* outside = of_outside(own.diameter);
         own.is_doubtful = own.nominal != nullptr && outside != nullptr && own.nominal != outside;
         own.is_odd = own.nominal == nullptr && outside == nullptr;
+      }
+      if (is_used && !own.is_used) {
+        own.is_used = true;
+        own.line = port.line;
       }
       names += own.nominal != nullptr && !own.is_doubtful ? 1 : 0;
       diameters += own.nominal == nullptr ? 1 : 0;
@@ -63,14 +70,14 @@ void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning 
                                    (meaning == BoreMeaning::automatic &&
                                     (!own.is_doubtful || is_likely_name(own, names, diameters))));
     if (is_name) {
-      if (own.nominal->outside != own.diameter) {
+      if (own.is_used && own.nominal->outside != own.diameter) {
         file.notes.push_back({own.line, "bore " + decimal(bore, kMessageDigits) +
                                             ": outside diameter " +
                                             decimal(own.nominal->outside, kMessageDigits) +
                                             " mm (" + size_text(*own.nominal) + ")"});
       }
       own.diameter = own.nominal->outside;
-    } else if (own.is_odd && meaning != BoreMeaning::outside) {
+    } else if (own.is_used && own.is_odd && meaning != BoreMeaning::outside) {
       file.notes.push_back({own.line, "bore " + decimal(bore, kMessageDigits) +
                                           " is no size of ASME B36.10M; it is taken for an outside "
                                           "diameter"});

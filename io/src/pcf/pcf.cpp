@@ -159,7 +159,7 @@ class PcfReader {
       throw Error(Errc::parse_failed, "there is no piping component in it, such as PIPE or ELBOW",
                   {}, source_);
     }
-    pcf::give_meaning(file_, bore_unit_, whole_bore_, bores_);
+    pcf::give_meaning(file_, bore_unit_, whole_bore_, bores_, own_radii_);
     for (std::size_t i = 0; i < file_.line.components.size(); ++i) {
       if (own_radii_[i]) {
         for (PipingPort& port : file_.line.components[i].ports) {
@@ -222,9 +222,10 @@ class PcfReader {
     const std::size_t position = scanner_.position();
     const double value = scanner_.number(expected);
     if (!(std::abs(value) * millimetres <= largest)) {
-      scanner_.fail_at(position, "found " + decimal(value, kMessageDigits) + ", expected " +
-                                     expected + " of at most " +
-                                     decimal(largest / millimetres, kMessageDigits));
+      const double most = largest / millimetres;
+      scanner_.fail_at(
+          position, "found " + (value > 0 ? decimal_at_most(value) : decimal_at_least(value)) +
+                        ", expected " + expected + " of at most " + decimal(most, kMessageDigits));
     }
     return value + 0.0;  // -0 is 0
   }
@@ -258,9 +259,10 @@ class PcfReader {
       const std::size_t position = scanner_.position();
       const double bore = number("a bore", kLargestBore, bore_millimetres_);
       if (!(bore == 0 || bore * bore_millimetres_ >= kLeastBore)) {
-        scanner_.fail_at(position, "found the bore " + decimal(bore, kMessageDigits) +
+        const double least = kLeastBore / bore_millimetres_;
+        scanner_.fail_at(position, "found the bore " + decimal_at_least(bore) +
                                        ", expected 0 for none, or at least " +
-                                       decimal(kLeastBore / bore_millimetres_, kMessageDigits));
+                                       decimal(least, kMessageDigits));
       }
       if (bore > 0) {
         result.radius = bore * (bore_millimetres_ / whole_bore_) / 2;

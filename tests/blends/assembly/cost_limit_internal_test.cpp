@@ -283,5 +283,22 @@ TEST(CostLimit, can_be_raised) {
   EXPECT_EQ(refusal(document(row), 10'000'000), "");
 }
 
+// The limit that it is told and refused for differ.
+TEST(CostLimit, is_told_as_less_than_what_is_asked_for) {
+  const std::string about = "about ", limit = "the limit is ";
+  for (const char* tolerance : {"0.05", "0.04", "0.03", "0.02", "0.01"}) {
+    const Assembly assembly = document({tolerance, elbow("3"), false});
+    const auto asked = [&](std::size_t most) {
+      const std::string message = refusal(assembly, most);
+      const std::size_t at = message.find(about);
+      return at == std::string::npos ? 0 : std::stoul(message.substr(at + about.size()));
+    };
+    const std::size_t most = asked(10);
+    ASSERT_GT(most, 10U);
+    EXPECT_EQ(asked(most), 0U) << tolerance;
+    EXPECT_EQ(asked(most - 1), most) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace dupin::assembly

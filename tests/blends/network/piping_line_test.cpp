@@ -439,6 +439,9 @@ TEST(PipingLine, takes_radii_from_neighbours) {
   EXPECT_THAT(notes(network),
               HasSubstr("30: c2: has no bore at line 31; its neighbours' radius 50 is taken"));
   (void)solid(network);
+  Line single;
+  single.pipe({0, 0, 0}, {500, 0, 0}).last().ports[1].radius.reset();
+  EXPECT_THAT(notes(single.made()), HasSubstr("the radius of another of its ends, 50, is taken"));
   Line alone;
   alone.pipe({0, 0, 0}, {1, 0, 0}).last().ports[0].radius.reset();
   alone.last().ports[1].radius.reset();

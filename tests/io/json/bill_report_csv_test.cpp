@@ -74,6 +74,10 @@ TEST(BillCsv, has_as_many_cells_in_every_line_whatever_the_names) {
   EXPECT_EQ(at(2, "remarks"), "one; two");
   EXPECT_EQ(at(3, "name"), "sum");
   EXPECT_EQ(at(3, "metal_volume_in3"), "3");
+  // No row has any: that is not 0.
+  EXPECT_EQ(at(3, "wall_in"), "");
+  EXPECT_EQ(at(3, "area_in2"), "");
+  EXPECT_EQ(at(3, "fluid_volume_in3"), "");
 }
 
 TEST(BillCsv, has_no_texts_that_spreadsheets_take_for_formulas) {

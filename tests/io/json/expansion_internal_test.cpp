@@ -77,15 +77,17 @@ TEST(Expansion, says_what_is_wrong_with_values) {
       {with_values(R"("mm": 1)", ball("1")), "d.json#/values/mm",
        "a value's name has letters, digits and _, begins with no digit and is no unit"},
       {with_values(R"("a": "=b", "b": "=2 * c", "c": "=a")", ball("1")), "d.json#/values/c",
-       "in \"=a\", column 2: values must not need each other in a circle: 'a' -> 'b' -> 'c' -> 'a'"},
+       "in \"=a\", column 2: values must not need each other in a circle: 'a' -> 'b' -> 'c' -> "
+       "'a'"},
       {with_values(R"("a": "=a + 1")", ball("1")), "d.json#/values/a",
        "in \"=a + 1\", column 2: values must not need each other in a circle: 'a' -> 'a'"},
       {with_values(R"("a": "=nan")", ball("1")), "d.json#/values/a",
        "in \"=nan\", column 2: there is no value named 'nan'"},
       {with_values(R"("a": "=1/0")", ball("1")), "d.json#/values/a",
        "in \"=1/0\", column 3: division by zero"},
-      {document(ball(R"("=r")")), "d.json#/parts/0/sphere/radius", "in \"=r\", column 2: there is no value named 'r'"},
-      {document(ball(R"("=3 * (2 + q)")")), "d.json#/parts/0/sphere/radius",
+      {document(ball(R"("=r")")), "d.json#/parts/0/sphere/radius",
+       "in \"=r\", column 2: there is no value named 'r'"},
+      {document(ball(R"x("=3 * (2 + q)")x")), "d.json#/parts/0/sphere/radius",
        "in \"=3 * (2 + q)\", column 11: there is no value named 'q'"},
       {with_values(R"("r": "thick")", ball(R"("=r")")), "d.json#/parts/0/sphere/radius",
        "must be a number, not string"},
@@ -148,7 +150,8 @@ TEST(Expansion, says_what_is_wrong_with_copies) {
 
 TEST(Expansion, names_the_first_fault_whoever_finds_it) {
   const std::string good = ball("1"), unread = ball("null"), unknown = ball(R"("=nothing")");
-  const std::string type = "must be a number, not null", name = "there is no value named 'nothing'";
+  const std::string type = "must be a number, not null",
+                    name = "in \"=nothing\", column 2: there is no value named 'nothing'";
   const Malformed rows[] = {
       {document(good + "," + unread + "," + unknown), "d.json#/parts/1/sphere/radius", type},
       {document(good + "," + unknown + "," + unread), "d.json#/parts/1/sphere/radius", name},
@@ -169,7 +172,7 @@ TEST(Expansion, bounds_how_many_values_need_each_other) {
   }
   EXPECT_NO_THROW((void)parse_assembly(with_values(values, ball(R"("=v63")"))));
   one_more(64);  // whose own value is known when it is evaluated
-  expect_fault({with_values(values, ball("1")), "d.json#/values",
+  expect_fault({with_values(values, ball("1")), "d.json#/values/v64",
                 "more than 64 values need each other in a row"});
   const std::string backwards = [] {
     std::string text = R"("last": 1)";
@@ -180,7 +183,7 @@ TEST(Expansion, bounds_how_many_values_need_each_other) {
     return text;
   }();
   expect_fault({with_values(backwards, ball("1")), "d.json#/values/w63",
-                "more than 64 values need each other in a row"});
+                "in \"=w64\", column 2: more than 64 values need each other in a row"});
 }
 
 // What is written is said part by part, and builds to the same bytes.

@@ -58,5 +58,15 @@ TEST(PcfBores, are_noted_once_each) {
   EXPECT_THAT(file.notes[0].text, testing::HasSubstr("5 is no size of ASME B36.10M"));
 }
 
+// They are of components that say their diameter.
+TEST(PcfBores, that_are_not_used_are_not_noted) {
+  PcfFile file = file_with({100, 100, 5, 5});
+  const std::vector<std::optional<double>> own{55, {}, 55, 55};
+  give_meaning(file, BoreUnit::millimetre, 1, BoreMeaning::automatic, own);
+  ASSERT_EQ(file.notes.size(), 1);
+  EXPECT_EQ(file.notes[0].line, 2);
+  EXPECT_THAT(file.notes[0].text, testing::HasSubstr("bore 100: outside diameter 114.3"));
+}
+
 }  // namespace
 }  // namespace dupin::pcf

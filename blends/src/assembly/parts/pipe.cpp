@@ -40,7 +40,7 @@ struct PartRules<"pipe"> {
     if (!(length > 0)) {
       fail(context, "to",
            "the point must lie ahead of '" + to_string(pipe.from) + "', not " +
-               decimal(-length, kMessageDigits) + " behind it");
+               (length < 0 ? decimal(-length, kMessageDigits) + " behind it" : "level with it"));
     }
     check_within_tolerance(
         context, aside, "to",
