@@ -163,7 +163,7 @@ TEST_F(Pcf, tees_get_fillets) {
               HasSubstr("tee-26-branch-fillet has a ball of radius 10\n"));
   const ProcessResult refused =
       dupin({"build", example("line.pcf"), "-o", "a.stl", "--fillet", "1m"});
-  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_EQ(refused.exit_code, 4);  // as of a document
   EXPECT_THAT(refused.err, HasSubstr("line.pcf:26: 'tee-26': tee-26-branch-fillet does not fit"));
 }
 

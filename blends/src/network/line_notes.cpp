@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "dupin/kernel/error.h"
-
 namespace dupin::network {
 
-void LineNotes::refuse(const PipingComponent& component, const std::string& text) {
+void LineNotes::refuse(const PipingComponent& component, const std::string& text, Errc code) {
   if (!keep_going_) {
-    throw Error(Errc::invalid_argument, text + "; --keep-going leaves it out", component.name,
+    throw Error(code, text + "; --keep-going leaves it out", component.name,
                 source_ + ":" + std::to_string(component.line));
   }
   notes_.push_back({component.line, component.name + ": left out, as " + text, true});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dupin/blends/piping_line.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::network {
 
@@ -17,8 +18,9 @@ class LineNotes {
     notes_.push_back({component.line, component.name + ": " + text, false});
   }
 
-  /// Throws Error{invalid_argument} unless told to keep going.
-  void refuse(const PipingComponent& component, const std::string& text);
+  /// Throws an Error unless told to keep going.
+  void refuse(const PipingComponent& component, const std::string& text,
+              Errc code = Errc::invalid_argument);
 
   /// By line.
   [[nodiscard]] std::vector<SourceNote> take() &&;

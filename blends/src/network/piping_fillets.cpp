@@ -132,7 +132,7 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
     const bool is_chosen = *options.fillet == 0;
     if (const auto refused = options.refused.find(name); refused != options.refused.end()) {
       is_chosen ? notes.add(component, "has no fillet: " + refused->second)
-                : notes.refuse(component, name + ": " + refused->second);
+                : notes.refuse(component, name + ": " + refused->second, Errc::infeasible_blend);
       continue;
     }
     std::string why;
@@ -154,7 +154,7 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
       notes.add(component, "has no fillet: " + why);
     } else if (!fits) {
       why.insert(0, name + " does not fit: ");
-      notes.refuse(component, why);
+      notes.refuse(component, why, Errc::infeasible_blend);
     }
   }
   return result;

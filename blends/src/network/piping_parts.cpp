@@ -226,7 +226,8 @@ class ChainParts {
     }
     if (seam.component) {
       notes_.refuse(line_.components[*seam.component],
-                    "it is not tangent to its neighbours, and no blend fits between them");
+                    "it is not tangent to its neighbours, and no blend fits between them",
+                    Errc::infeasible_blend);
     }
     for (const auto& joint : seam.joints) {
       if (joint) {

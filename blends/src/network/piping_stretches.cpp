@@ -72,9 +72,11 @@ class Planner {
     }
     const double bend_radius = result.tangent / std::tan(half);
     if (!(bend_radius > kLeastBend * result.radius)) {
-      notes_.refuse(bend, "its bend radius of " + decimal(bend_radius, kMessageDigits) +
-                              " is not larger than its pipe's radius of " +
-                              decimal(result.radius, kMessageDigits));
+      notes_.refuse(bend,
+                    "its bend radius of " + decimal(bend_radius, kMessageDigits) +
+                        " is not larger than its pipe's radius of " +
+                        decimal(result.radius, kMessageDigits),
+                    Errc::irregular_surface);
       result.is_left_out = true;
     } else if (bend.bend_radius && kShorterArc * *bend.bend_radius > bend_radius) {
       notes_.add(bend, "its legs are too short for its bend radius of " +

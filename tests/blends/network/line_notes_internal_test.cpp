@@ -33,6 +33,13 @@ TEST(LineNotes, throw_what_is_refused_unless_told_to_keep_going) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "a.pcf:4: 'a': it is bad; --keep-going leaves it out");
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+  }
+  try {
+    notes.refuse(component("a", 4), "it folds", Errc::irregular_surface);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
   }
 }
 
