@@ -65,7 +65,7 @@ TEST(OutwardShape, of_neighbours_with_different_walls_is_refused) {
     EXPECT_EQ(error.message(),
               "it shares a ring with 'a', whose outer surface is 0.5 outside of the radii in the "
               "document, and its own 0.25; where radii are not outside ones, neighbours have the "
-              "same wall");
+              "same wall and wall_side");
   }
   EXPECT_NO_THROW((void)built(walled(parts, 0.5, WallSide::inwards), Region::metal));
 }
