@@ -277,6 +277,7 @@ class Drawer {
 }  // namespace
 
 Drawing draw(const Assembly& assembly, const Built& built, const DrawingOptions& options) {
+  const UsualArithmetic usual;
   return Drawer(assembly, built, options).run();
 }
 

@@ -7,6 +7,7 @@
 #include "dupin/blends/drawing.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/patch.h"
 #include "shading/vertex_normals.h"
 
@@ -29,12 +30,14 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built,
 
 std::function<CornerNormals(const TriMesh&, double)> smooth_normals(
     const Assembly& assembly, const Built& built, const std::set<std::string>& names) {
+  const UsualArithmetic usual;
   const double error = mesh_error(built);
   // Of bores and insulation, no part's report tells.
   const double largest = kMostErrors * std::max(error, assembly.tolerance);
   const auto table =
       std::make_shared<const shading::PatchTable>(patches_of(assembly, built, names));
   return [=](const TriMesh& mesh, double moved) {
+    const UsualArithmetic usual_within;
     validate(mesh);
     if (!(moved >= 0 && std::isfinite(moved))) {
       throw Error(Errc::invalid_argument,

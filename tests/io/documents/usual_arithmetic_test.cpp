@@ -264,6 +264,23 @@ TEST(UsualArithmeticOfFiles, certificates_drawings_and_pages) {
         "scale", [&] { return fitting_scale(drawing); },
         [](const DrawingScale& fitting) { return to_string(fitting); });
     const SheetOptions options{.names = true, .dimensions = true};
+    (void)made(
+        "drawing",
+        [&] {
+          return draw(assembly, built, {.view = view_along({-3, 1, -2})});
+        },
+        [&](const Drawing& drawn) { return drawing_svg(drawn, scale, options); });
+    (void)made(
+        "normals", [&] { return smooth_normals(assembly, built, mesh, 0); },
+        [](const CornerNormals& normals) {
+          std::vector<Vec3> all;
+          for (const auto& corners : normals) {
+            for (const auto& normal : corners) {
+              all.emplace_back(normal[0], normal[1], normal[2]);
+            }
+          }
+          return bits(all);
+        });
     (void)made("svg", [&] { return drawing_svg(drawing, scale, options); });
     (void)made("svg report", [&] { return drawing_report_json(drawing, scale, "a", options); });
     if (can_draw_pages()) {
