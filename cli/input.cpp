@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -63,14 +61,8 @@ void require_read_again(const std::string& path, const std::string& reason) {
 }
 
 Input read_input(const std::string& path) {
-  if (path != "-") {
-    return {read_file(path), path};
-  }
-  try {
-    return {{std::istreambuf_iterator<char>(std::cin), {}}, kStandardInput};
-  } catch (const std::ios_base::failure& failure) {  // what the buffer throws, closed or a folder
-    throw Error(Errc::io_failed, "cannot be read: " + failure.code().message(), {}, kStandardInput);
-  }
+  return path == "-" ? Input{read_standard_input(kStandardInput), kStandardInput}
+                     : Input{read_file(path), path};
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& paths) {

@@ -14,7 +14,7 @@ MADE = ("Solid|Settled|Repaired|Simplified|Remeshed|Filled|Rounded|RoundedApart|
         "Built|Certificate|CertifiedInputs|BillOfMaterials")
 MADE_NAMES = r"(?:read|parse)_\w+|\w+_(?:text|bytes|json|html|svg|pdf|png|csv)|to_(?:json|csv)|document_of|with_chain"
 # Compute nothing.
-EXEMPT = {"renamed", "read_file", "string_json", "error_json", "page_report_json", "reason_text",
+EXEMPT = {"renamed", "read_file", "read_standard_input", "string_json", "error_json", "page_report_json", "reason_text",
           "is_graph_text", "is_pcf_text"}
 DECLARED = [re.compile(rf"(?:^|\s)(?:{MADE})\s+(\w+)\("),
             re.compile(rf"^(?:\[\[nodiscard\]\] )?[\w:<>]+ ({MADE_NAMES})\(", re.MULTILINE)]

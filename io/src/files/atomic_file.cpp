@@ -229,10 +229,17 @@ int fill(Descriptor& file, std::string_view bytes, const Target& target) {
   return reason != 0 ? reason : close_reason;
 }
 
-}  // namespace
+/// What somebody else has opened, and closes.
+class LeftOpen : public Descriptor {
+ public:
+  using Descriptor::Descriptor;
+  LeftOpen(const LeftOpen&) = delete;
+  LeftOpen& operator=(const LeftOpen&) = delete;
+  ~LeftOpen() { (void)release(); }
+};
 
-std::string files::read_whole(const fs::path& path, std::uint64_t most) {
-  const Descriptor file = opened(path);
+// See files::read_whole().
+std::string read_open(const Descriptor& file, const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) {
     fail("read the file", path, errno);
@@ -261,10 +268,22 @@ std::string files::read_whole(const fs::path& path, std::uint64_t most) {
 }
 
 // While the bytes are moved to more memory, they take three times as much.
-std::string read_file(const fs::path& path) {
-  const auto memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-                      static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  return files::read_whole(path, memory / 4);
+std::uint64_t most_without_end() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 4;
+}
+
+}  // namespace
+
+std::string files::read_whole(const fs::path& path, std::uint64_t most) {
+  return read_open(opened(path), path, most);
+}
+
+std::string read_file(const fs::path& path) { return files::read_whole(path, most_without_end()); }
+
+std::string read_standard_input(const std::string& shown) {
+  const LeftOpen file(STDIN_FILENO);
+  return read_open(file, shown, most_without_end());
 }
 
 AsideFile::AsideFile(const fs::path& path, std::string_view bytes) {

@@ -1,5 +1,6 @@
 #include "dupin/io/atomic_file.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <iterator>
@@ -51,6 +52,26 @@ TEST_F(AtomicFile, leaves_the_old_file_until_commit_and_cleans_up_without) {
   aside.commit();
   EXPECT_EQ(read_file(path("x")), "new");
   EXPECT_EQ(entries(directory()), 1);
+}
+
+TEST(StandardInput, is_read_to_its_end_and_left_open) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const int before = ::dup(STDIN_FILENO);
+  ASSERT_EQ(::dup2(ends[0], STDIN_FILENO), STDIN_FILENO);
+  const std::string bytes = "OFF\n0 0 0\n";
+  ASSERT_EQ(::write(ends[1], bytes.data(), bytes.size()), ssize_t(bytes.size()));
+  ::close(ends[1]);
+  EXPECT_EQ(read_standard_input("input"), bytes);
+  EXPECT_EQ(read_standard_input("input"), "");
+  ::close(ends[0]);
+  ::close(STDIN_FILENO);
+  EXPECT_EQ(test::message_of([] { (void)read_standard_input("input"); }, Errc::io_failed),
+            "input: cannot read the file: Bad file descriptor");
+  if (before >= 0) {
+    ::dup2(before, STDIN_FILENO);
+    ::close(before);
+  }
 }
 
 TEST_F(AtomicFile, is_read_back_from_disk) {

@@ -7,8 +7,11 @@
 
 namespace dupin {
 
-/// All bytes of a file. Throws Error{io_failed} with the system's reason.
+/// All bytes of a file. Throws Error{io_failed} with the system's reason, and Error{limit_exceeded}
+/// for what is no regular file and has not ended after a quarter of the machine's memory.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
+/// The same of standard input, from where it stands; errors say `shown` as its name.
+[[nodiscard]] std::string read_standard_input(const std::string& shown);
 
 /// Where a file is aside.
 struct AsidePath {
