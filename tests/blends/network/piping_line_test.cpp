@@ -204,7 +204,7 @@ TEST(PipingLine, refuses_bends_sharper_than_their_pipe) {
     (void)line.made();
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::invalid_argument);
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
     EXPECT_EQ(error.where(), "a.pcf:20");
     EXPECT_EQ(error.part(), "c1");
     EXPECT_THAT(error.what(),

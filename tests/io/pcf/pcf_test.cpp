@@ -298,11 +298,11 @@ TEST(Pcf, refuses_what_is_malformed) {
 
 // What can be read, but no solid be made of.
 TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
+  const auto made = [](const std::string& bytes, const std::string& file) {
+    return assembly_of(parse_pcf(bytes, file).line);
+  };
   expect_refused(
-      [](const std::string& bytes, const std::string& file) {
-        return assembly_of(parse_pcf(bytes, file).line);
-      },
-      "a.pcf",
+      made, "a.pcf",
       {
           {kUnits + "PIPE",
            "a.pcf:3: 'pipe-3': it has no end in space; --keep-going leaves it out"},
@@ -315,12 +315,14 @@ TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
            "--keep-going leaves it out"},
           {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 0 0 0.01 100\n",
            "a.pcf: no component is left of which a part could be made"},
-          {kUnits + "BEND\n    END-POINT 0 0 0 100\n    END-POINT 50 50 0 100\n"
-                    "    CENTRE-POINT 50 0 0\n",
-           "a.pcf:3: 'bend-3': its bend radius of 50 is not larger than its pipe's radius of "
-           "57.15; --keep-going leaves it out"},
       },
       Errc::invalid_argument);
+  expect_refused(made, "a.pcf",
+                 {{kUnits + "BEND\n    END-POINT 0 0 0 100\n    END-POINT 50 50 0 100\n"
+                            "    CENTRE-POINT 50 0 0\n",
+                   "a.pcf:3: 'bend-3': its bend radius of 50 is not larger than its pipe's radius "
+                   "of 57.15; --keep-going leaves it out"}},
+                 Errc::irregular_surface);
 }
 
 TEST(Pcf, reads_hundredths_and_sixteenths) {
