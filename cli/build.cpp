@@ -19,6 +19,7 @@
 #include "document.h"
 #include "dupin/blends/drawing.h"
 #include "dupin/blends/tessellation.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
 #include "gap_text.h"
@@ -65,7 +66,8 @@ std::string margin_text(const std::vector<PartReport>& parts) {
       tightest = &part;
     }
   }
-  return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
+  return tightest ? decimal_at_least(*tightest->margin_lower) + " (" + tightest->name + ")"
+                  : "none";
 }
 
 /// The part whose bore is proved to keep away least.
@@ -78,8 +80,9 @@ std::string least_wall_text(const std::vector<PartReport>& parts, const std::str
     }
     unproved += part.is_hollow && !part.least_wall ? 1 : 0;
   }
-  return (thinnest ? number(*thinnest->least_wall) + " " + unit + " (" + thinnest->name + ")"
-                   : "none proved") +
+  return (thinnest
+              ? decimal_at_least(*thinnest->least_wall) + " " + unit + " (" + thinnest->name + ")"
+              : "none proved") +
          (thinnest && unproved > 0 ? ", not proved of " + counted(unproved, "part") : "");
 }
 
@@ -123,9 +126,9 @@ void print_build(std::ostream& out, const BuildReport& report) {
     print_row(out, "least wall", least_wall_text(report.parts, unit));
   }
   print_row(out, "smallest margin", margin_text(report.parts));
-  print_row(out, "mesh error", "at most " + number(error) + " " + unit);
+  print_row(out, "mesh error", "at most " + decimal_at_most(error) + " " + unit);
   if (tangency) {
-    print_row(out, "tangent", "within " + number(*tangency) + " rad");
+    print_row(out, "tangent", "within " + decimal_at_most(*tangency) + " rad");
   }
   print_gaps(out, report.gaps);
 }

@@ -15,6 +15,7 @@
 #include "dupin/blends/certificate.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/printable.h"
 #include "exit_code.h"
 #include "input.h"
@@ -94,7 +95,7 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
   for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
     const PartClaims& claims = certificate.claims[i];
     if (claims.regular && claims.embedded) {
-      print(certificate.parts[i].name, "margin above " + number(claims.regular->margin),
+      print(certificate.parts[i].name, "margin above " + decimal_at_least(claims.regular->margin),
             claims.regular->verdict);
       const auto& overlap = claims.embedded->overlap;
       print(certificate.parts[i].name,
@@ -116,7 +117,8 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
         }
         print(fillet.name, claim + (is_open ? why : ""), verdict);
       };
-      print_claim("margin above " + number(claims.regular.margin), claims.regular.verdict);
+      print_claim("margin above " + decimal_at_least(claims.regular.margin),
+                  claims.regular.verdict);
       print_claim("embedded", claims.embedded.verdict);
       print_claim("touches its pipes", claims.contact ? Verdict::proved : Verdict::undecided);
       print_claim("mesh error", claims.mesh ? Verdict::proved : Verdict::undecided);
@@ -157,7 +159,7 @@ std::string mesh_error_text(const Certificate& certificate) {
     return "not proved";
   }
   const std::string unit = unit_of(certificate);
-  return "at most " + number(error) + unit +
+  return "at most " + decimal_at_most(error) + unit +
          (error > certificate.tolerance
               ? ", which does not prove that it keeps to the tolerance, " +
                     number(certificate.tolerance) + unit
@@ -179,8 +181,8 @@ std::string contact_text(const Certificate& certificate) {
   if (proved == 0) {
     return "not proved";
   }
-  return "within " + number(widest.offset) + unit_of(certificate) + ", tangent within " +
-         number(widest.deviation) + " rad" + but_for(open);
+  return "within " + decimal_at_most(widest.offset) + unit_of(certificate) + ", tangent within " +
+         decimal_at_most(widest.deviation) + " rad" + but_for(open);
 }
 
 /// Of what is proved; parts whose margins are not are counted beside it. Empty: none claims one.
@@ -209,7 +211,7 @@ std::string margin_text(const Certificate& certificate) {
   if (tightest == nullptr) {
     return open > 0 ? "not proved" : "";
   }
-  return "above " + number(tightest->margin) + " (" + tightest_name + ")" + but_for(open);
+  return "above " + decimal_at_least(tightest->margin) + " (" + tightest_name + ")" + but_for(open);
 }
 
 /// Of pairs that keep apart; those of which that is not proved are counted beside it.
@@ -232,7 +234,7 @@ std::string clearance_text(const Certificate& certificate) {
   if (nearest == nullptr) {
     return open > 0 ? "not proved" : "";
   }
-  return "at least " + number(nearest->distance) + unit_of(certificate) + " (" +
+  return "at least " + decimal_at_least(nearest->distance) + unit_of(certificate) + " (" +
          named(certificate, *nearest) + ")" + but_for(open);
 }
 
@@ -262,13 +264,15 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   print_row(out, "tolerance", number(certificate.tolerance) + unit);
   const JointFit joints = widest_joint(certificate);
   print_row(out, "joints fit",
-            "within " + number(joints.offset) + unit + ", " + number(joints.angle) + " rad");
+            "within " + decimal_at_most(joints.offset) + unit + ", " +
+                decimal_at_most(joints.angle) + " rad");
   if (!certificate.fillets.empty()) {
     print_row(out, "fillets touch pipes", contact_text(certificate));
   }
   print_if_any("smallest clearance", clearance_text(certificate));
   if (certificate.apart > 0) {
-    print_row(out, "all other clearances", "at least " + number(certificate.apart) + unit);
+    print_row(out, "all other clearances",
+              "at least " + decimal_at_least(certificate.apart) + unit);
   }
   print_row(out, "overlapping pairs", std::to_string(overlapping_pairs(certificate)));
   print_row(out, "not proved", std::to_string(certificate.findings()));

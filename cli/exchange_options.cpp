@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include "dupin/kernel/decimal.h"
 #include "exit_code.h"
 #include "report_text.h"
 
@@ -71,9 +72,9 @@ void print_exchange(std::ostream& out, const ExchangeReport& report, const std::
       out, "surfaces",
       std::to_string(report.exact_surfaces) + " exact" +
           (report.lofted_surfaces > 0 ? ", " + std::to_string(report.lofted_surfaces) + " within " +
-                                            number(report.error_bound) + " " + unit
+                                            decimal_at_most(report.error_bound) + " " + unit
                                       : ""));
-  print_row(out, "edges", "within " + number(report.edge_tolerance) + " " + unit);
+  print_row(out, "edges", "within " + decimal_at_most(report.edge_tolerance) + " " + unit);
   print_row(out, "volume", number(report.volume) + " " + unit + "3");
   if (report.expected_volume) {
     print_row(out, "of the mesh",

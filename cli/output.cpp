@@ -109,9 +109,9 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   RoundingReport report;
   report.coordinates = coordinates;
   for (const Vec3& point : mesh.points) {
-    const double move = (nearest(point, coordinates) - point).norm();
-    report.moved += move > 0 ? 1 : 0;
-    report.largest_move = std::max(report.largest_move, move);
+    const Vec3 there = nearest(point, coordinates);
+    report.moved += there != point ? 1 : 0;
+    report.largest_move = std::max(report.largest_move, (there - point).stableNorm());
   }
   return report;
 }

@@ -19,6 +19,11 @@ std::string powered(double value, std::string_view unit, std::string_view power)
   return number(value) + (unit.empty() ? "" : " " + std::string(unit) + std::string(power));
 }
 
+/// "at most 0.0123457 mm", which holds.
+std::string at_most(double bound, std::string_view unit) {
+  return "at most " + decimal_at_most(bound) + (unit.empty() ? "" : " " + std::string(unit));
+}
+
 std::string finding_text(const Finding& finding) {
   const bool of_faces = !finding.faces.empty();
   const auto& items = of_faces ? finding.faces : finding.points;
@@ -68,8 +73,7 @@ std::string rounding_text(const RoundingReport& rounding, std::string_view unit)
   if (rounding.moved == 0) {
     return "none";
   }
-  return counted(rounding.moved, "point") + " moved, at most " +
-         powered(rounding.largest_move, unit, "");
+  return counted(rounding.moved, "point") + " moved, " + at_most(rounding.largest_move, unit);
 }
 
 std::string thin_shells_text(const std::vector<ThinShell>& shells, std::string_view unit) {
@@ -142,7 +146,7 @@ void print_solver_mesh(std::ostream& out, const SolverMeshReport& report, std::s
   print_row(out, "edges",
             "from " + powered(surface.shortest_edge, unit, "") + " to " +
                 powered(surface.longest_edge, unit, ""));
-  print_row(out, "deviation", "at most " + powered(surface.deviation, unit, ""));
+  print_row(out, "deviation", at_most(surface.deviation, unit));
   if (report.volume) {
     print_row(out, "tetrahedra",
               std::to_string(report.volume->tetrahedra) + " of " +
@@ -184,8 +188,7 @@ void print_row(std::ostream& out, std::string_view label, std::string_view value
 }
 
 std::string placement_text(bool is_exact, double largest_move, std::string_view unit) {
-  return is_exact ? "exactly"
-                  : "not exactly, points at most " + powered(largest_move, unit, "") + " off";
+  return is_exact ? "exactly" : "not exactly, points " + at_most(largest_move, unit) + " off";
 }
 
 std::string verified_text(Verification verification) {
@@ -222,9 +225,8 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   }
   if (report.simplification) {
     print_row(out, "simplified",
-              counted(report.simplification->removed_triangles, "triangle") +
-                  " less, deviation at most " +
-                  powered(report.simplification->deviation, unit, ""));
+              counted(report.simplification->removed_triangles, "triangle") + " less, deviation " +
+                  at_most(report.simplification->deviation, unit));
   }
   if (report.solver_mesh) {
     print_solver_mesh(out, *report.solver_mesh, unit);
@@ -239,8 +241,8 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
         &snapped = report.rounding.snapped_places;
   if (!filled.empty()) {
     print_row(out, "slits",
-              std::to_string(filled.size()) + " filled, at most " +
-                  powered(report.rounding.slit_width, unit, "") + " wide, first at " +
+              std::to_string(filled.size()) + " filled, " +
+                  at_most(report.rounding.slit_width, unit) + " wide, first at " +
                   place_text(filled.front()));
   }
   if (!snapped.empty()) {

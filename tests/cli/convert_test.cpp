@@ -65,6 +65,14 @@ TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
   EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
 }
 
+// The square of such a move is 0.
+TEST_F(MeshCommands, convert_says_that_it_moved_points_however_little) {
+  put("a.off", moved(box({0, 0, 0}, {1e-310, 1e-310, 1e-310}), {0, 0, 0}));
+  const auto report = json({"convert", "a.off", "b.stl"}, 0);
+  EXPECT_EQ(report.at("rounding").at("moved_points"), 7);
+  EXPECT_GE(report.at("rounding").at("largest_move").get<double>(), 1e-310);
+}
+
 TEST_F(MeshCommands, convert_parts_what_readers_of_stl_would_weld) {
   put("a.off", joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}));
   for (const char* const format : {"stl", "stl-ascii"}) {

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "dupin/blends/piping_line.h"
 #include "dupin/kernel/error.h"
@@ -99,6 +101,20 @@ std::size_t count_open(const network::PipingSpans& spans,
   return count;
 }
 
+// With the first of the reasons, which are lost otherwise.
+[[noreturn]] void refuse_nothing_left(const PipingLine& line,
+                                      const std::vector<SourceNote>& notes) {
+  const std::string message = "no component is left of which a part could be made";
+  if (notes.empty()) {
+    throw Error(Errc::invalid_argument, message, {}, line.source);
+  }
+  const SourceNote& first = notes.front();
+  throw Error(Errc::invalid_argument,
+              message + ": " + first.text +
+                  (notes.size() > 1 ? ", and " + std::to_string(notes.size() - 1) + " more" : ""),
+              {}, first.line > 0 ? line.source + ":" + std::to_string(first.line) : line.source);
+}
+
 }  // namespace
 
 std::string_view name(JointState state) {
@@ -156,8 +172,7 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   }
   result.components = components.size();
   if (result.assembly.parts.empty()) {
-    throw Error(Errc::invalid_argument, "no component is left of which a part could be made", {},
-                line.source);
+    refuse_nothing_left(line, result.notes);
   }
   return result;
 }

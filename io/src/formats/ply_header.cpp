@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "dupin/kernel/error.h"
 #include "text/mesh_text.h"
@@ -59,6 +61,18 @@ PlyProperty read_property(text::TextScanner& scanner) {
   property.type = read_type(scanner);
   property.name = read_name(scanner, "the name of a property");
   return property;
+}
+
+// Of two of one name, nobody could tell which is meant.
+void add_property(PlyElement& element, text::TextScanner& scanner) {
+  const std::size_t place = scanner.position();
+  PlyProperty property = read_property(scanner);
+  if (std::ranges::find(element.properties, property.name, &PlyProperty::name) !=
+      element.properties.end()) {
+    scanner.fail_at(
+        place, "the element '" + element.name + "' has the property '" + property.name + "' twice");
+  }
+  element.properties.push_back(std::move(property));
 }
 
 PlyEncoding read_encoding(text::TextScanner& scanner) {
@@ -160,7 +174,7 @@ PlyHeader read_ply_header(std::string_view bytes, std::string_view file) {
     if (scanner.take("element")) {
       header.elements.push_back(read_element(scanner, place));
     } else if (!header.elements.empty() && scanner.take("property")) {
-      header.elements.back().properties.push_back(read_property(scanner));
+      add_property(header.elements.back(), scanner);
     } else {
       scanner.fail(header.elements.empty() ? "'element', 'comment' or 'end_header'"
                                            : "'element', 'property', 'comment' or 'end_header'");

@@ -1,9 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <string>
 
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/parallel.h"
 #include "json/certificate_motions.h"
 #include "json/certificate_pieces.h"
@@ -278,6 +283,43 @@ void require_no_more_than(const json::Json& understood, const JsonNode& read) {
   }
 }
 
+// Finds the first number whose decimals are not those of the double that is believed: what is
+// proved is said of that one, and the decimals of a claim may be larger, or less.
+struct DecimalsOfDoubles {
+  std::string given, meant;  // empty: none
+
+  [[nodiscard]] bool number_float(double value, const std::string& text) {
+    if (text != json::Json(value).dump() && text != decimal(value)) {
+      given = text;
+      meant = json::Json(value).dump();
+    }
+    return given.empty();
+  }
+  static bool null() { return true; }
+  static bool boolean(bool) { return true; }
+  static bool number_integer(std::int64_t) { return true; }
+  static bool number_unsigned(std::uint64_t) { return true; }
+  static bool string(std::string&) { return true; }
+  static bool binary(json::Json::binary_t&) { return true; }
+  static bool start_object(std::size_t) { return true; }
+  static bool key(std::string&) { return true; }
+  static bool end_object() { return true; }
+  static bool start_array(std::size_t) { return true; }
+  static bool end_array() { return true; }
+  static bool parse_error(std::size_t, const std::string&, const std::exception&) { return false; }
+};
+
+void require_decimals_of_doubles(std::string_view text, const JsonNode& root) {
+  DecimalsOfDoubles numbers;
+  (void)json::Json::sax_parse(text.substr(text::byte_order_mark(text)), &numbers);
+  if (!numbers.given.empty()) {
+    constexpr std::size_t kShown = 40;
+    root.fail("the number " + numbers.given.substr(0, kShown) +
+              " is not written as certify writes it, " + numbers.meant +
+              ", of which alone something can be proved");
+  }
+}
+
 }  // namespace
 
 Certificate parse_certificate(std::string_view text, const std::string& source) {
@@ -343,6 +385,7 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
         [=](const JsonNode& node) { return clearance(node, "surfaces", surfaces); });
   }
   require_no_more_than(json::parse_json(certificate_json(result), source), root);
+  require_decimals_of_doubles(text, root);
   return result;
 }
 

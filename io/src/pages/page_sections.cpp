@@ -156,6 +156,10 @@ std::string measure(double value, const std::string& unit, int power) {
   return text;
 }
 
+std::string at_most(double bound, const std::string& unit) {
+  return "at most " + decimal_at_most(bound) + (unit.empty() ? "" : " " + unit);
+}
+
 std::vector<Vec3> outline(const Ring& ring) {
   std::vector<Vec3> points = sample(ring, {.segments = kOutlineSides});
   points.push_back(points.front());
@@ -222,13 +226,12 @@ PageSection rounding_section(const RoundingReport& rounding, const std::string& 
   PageSection section{"Rounding", "", {"what", "at", "by"}};
   section.is_counted = true;
   section.note = rounding.moved == 0 ? "No point moved."
-                                     : counted(rounding.moved, "point") + " moved, at most " +
-                                           measure(rounding.largest_move, unit) + ".";
+                                     : counted(rounding.moved, "point") + " moved, " +
+                                           at_most(rounding.largest_move, unit) + ".";
   for (const Vec3& at : rounding.filled_places) {
-    section.rows.push_back(
-        {{"slit filled", decimal(at), "at most " + measure(rounding.slit_width, unit)},
-         false,
-         marked(at, size)});
+    section.rows.push_back({{"slit filled", decimal(at), at_most(rounding.slit_width, unit)},
+                            false,
+                            marked(at, size)});
   }
   for (const Vec3& at : rounding.snapped_places) {
     section.rows.push_back({{"surface untangled", decimal(at), ""}, false, marked(at, size)});

@@ -13,6 +13,8 @@ namespace dupin::pages {
 
 /// A number to six digits, with its unit to a power if there is one.
 [[nodiscard]] std::string measure(double value, const std::string& unit = {}, int power = 1);
+/// "at most 0.0123457 mm", which holds.
+[[nodiscard]] std::string at_most(double bound, const std::string& unit);
 
 /// A ring as a polyline.
 [[nodiscard]] std::vector<Vec3> outline(const Ring& ring);

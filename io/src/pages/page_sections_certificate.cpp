@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "dupin/kernel/decimal.h"
 #include "pages/page_sections.h"
 
 namespace dupin::pages {
@@ -54,7 +55,7 @@ class Claims {
   }
 
   void add_regular(const std::string& about, const RegularClaim& claim) {
-    add("margin", about, claim.verdict, "above " + measure(claim.margin));
+    add("margin", about, claim.verdict, "above " + decimal_at_least(claim.margin));
   }
 
   void add_embedded(const std::string& about, const EmbeddedClaim& claim) {
@@ -64,12 +65,12 @@ class Claims {
 
   void add_contact(const std::string& about, const std::optional<ContactClaim>& claim) {
     add("tangent", about, claim ? Verdict::proved : Verdict::undecided,
-        claim ? "within " + measure(claim->deviation, "rad") : "");
+        claim ? "within " + decimal_at_most(claim->deviation) + " rad" : "");
   }
 
   void add_mesh(const std::string& about, const std::optional<MeshClaim>& claim) {
     add("mesh error", about, claim ? Verdict::proved : Verdict::undecided,
-        claim ? "at most " + measure(claim->error_bound, unit_) : "");
+        claim ? at_most(claim->error_bound, unit_) : "");
   }
 
   void add_part(const std::string& about, const PartClaims& claims) {
@@ -84,7 +85,7 @@ class Claims {
       angle = std::max(angle, claim.deviation.value_or(-1));
     }
     if (angle >= 0) {
-      add("tangent", about, Verdict::proved, "within " + measure(angle, "rad"));
+      add("tangent", about, Verdict::proved, "within " + decimal_at_most(angle) + " rad");
     }
     add_mesh(about, claims.mesh);
   }
@@ -107,10 +108,11 @@ class Claims {
       add("clearance",
           certificate_.parts[claim->first].name + " and " + certificate_.parts[claim->second].name,
           claim->verdict,
-          claim->overlap        ? "they overlap"
-          : is_joined           ? "nothing in common but the joint"
-          : claim->distance > 0 ? "at least " + measure(claim->distance, unit_)
-                                : "",
+          claim->overlap ? "they overlap"
+          : is_joined    ? "nothing in common but the joint"
+          : claim->distance > 0
+              ? "at least " + decimal_at_least(claim->distance) + (unit_.empty() ? "" : " " + unit_)
+              : "",
           place_of(claim->overlap));
     }
     if (shown > kNearestShown) {

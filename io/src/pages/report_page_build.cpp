@@ -15,6 +15,7 @@
 namespace dupin {
 namespace {
 
+using pages::at_most;
 using pages::counted;
 using pages::measure;
 
@@ -132,11 +133,11 @@ class BuiltPage {
     for (const PartReport& part : report_.parts) {
       error = std::max(error, part.error_bound);
     }
-    add("mesh error", "at most " + measure(error, unit_));
+    add("mesh error", at_most(error, unit_));
     add("rounding", output.rounding.moved == 0
                         ? "none"
-                        : counted(output.rounding.moved, "point") + " moved, at most " +
-                              measure(output.rounding.largest_move, unit_));
+                        : counted(output.rounding.moved, "point") + " moved, " +
+                              at_most(output.rounding.largest_move, unit_));
     add("gaps", report_.gaps.findings() == 0 ? "none" : std::to_string(report_.gaps.findings()),
         report_.gaps.findings() > 0);
     add("contacts", contacts_text());
@@ -209,7 +210,8 @@ class BuiltPage {
           remarks += (remarks.empty() ? "" : "; ") + text;
         }
       }
-      PageRow row{{part.name, part.kind, measure(part.error_bound, unit_),
+      PageRow row{{part.name, part.kind,
+                   decimal_at_most(part.error_bound) + (unit_.empty() ? "" : " " + unit_),
                    std::to_string(part.triangles), remarks}};
       row.part = index_of(part.name);
       section.rows.push_back(std::move(row));

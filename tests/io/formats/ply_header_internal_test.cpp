@@ -74,6 +74,10 @@ TEST(PlyHeader, faults_are_told_with_their_line) {
             "x.ply:3: found 'property', expected 'element', 'comment' or 'end_header'");
   EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement e 1\nproperty list float int x\n"),
             "x.ply:4: found a list whose length is no integer, expected an integer type");
+  const std::string one = "ply\nformat ascii 1.0\nelement e 1\nproperty int x\n";
+  EXPECT_EQ(message_of(one + "property float y\nproperty float x\n"),
+            "x.ply:6: the element 'e' has the property 'x' twice");
+  EXPECT_EQ(message_of(one + "element f 1\nproperty int x\nend_header\n"), "no error");
   EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement e -1\n").substr(0, 22),
             "x.ply:3: found '-1', e");
 }

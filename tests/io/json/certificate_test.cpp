@@ -300,6 +300,28 @@ std::string resealed(std::string text) {
   return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
 }
 
+// Decimals may say more than the double that they are read as.
+TEST(Certificate, has_the_decimals_of_doubles_only) {
+  const std::string text = certificate_json(reducer());
+  const std::string key = "\"error_bound\":";
+  const std::size_t from = text.find(key) + key.size(), to = text.find_first_of(",}", from);
+  ASSERT_GT(from, key.size());
+  const std::string number = text.substr(from, to - from);
+  const double bound = std::stod(number);
+  for (const std::string& other : {number + "0", number + "000000000000000000001", "0" + number,
+                                   "+" + number, number + "e0"}) {
+    const std::string changed = text.substr(0, from) + other + text.substr(to);
+    EXPECT_EQ(std::stod(other), bound);
+    EXPECT_THROW((void)parse_certificate(resealed(changed)), Error) << other;
+  }
+  EXPECT_EQ(
+      test::message_of([&] {
+        (void)parse_certificate(resealed(text.substr(0, from) + number + "01" + text.substr(to)));
+      }),
+      "the number " + number + "01 is not written as certify writes it, " + number +
+          ", of which alone something can be proved");
+}
+
 TEST(Certificate, keeps_the_axes_of_boxes) {
   Certificate certificate = certify(example("header.json"), {.apart = .25});
   certificate.axes = {Vec3(0, 0, 2), Vec3(0.1, 0, 0), Vec3(0, -1, 0)};

@@ -314,7 +314,8 @@ TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
            "a.pcf:3: 'pipe-3': it has no bore, and nothing that it is joined to has one; "
            "--keep-going leaves it out"},
           {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 0 0 0.01 100\n",
-           "a.pcf: no component is left of which a part could be made"},
+           "a.pcf:3: no component is left of which a part could be made: pipe-3: has no length "
+           "beyond the snap tolerance; nothing is made of it"},
       },
       Errc::invalid_argument);
   expect_refused(made, "a.pcf",

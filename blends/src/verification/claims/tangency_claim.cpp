@@ -51,7 +51,8 @@ bool follows(const Piece& piece, const TangencyClaim& claim, End end) {
   const EndDifference found = end_difference(piece, end);
   return found.axis_angle.rounded_outward().upper <= claim.axis_angle &&
          found.offset.rounded_outward().upper <= claim.offset &&
-         (!claim.deviation || (found.deviation && *found.deviation <= *claim.deviation));
+         claim.deviation.has_value() == found.deviation.has_value() &&
+         (!claim.deviation || *found.deviation <= *claim.deviation);
 }
 
 }  // namespace dupin::verification

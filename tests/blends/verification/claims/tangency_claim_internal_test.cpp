@@ -163,6 +163,18 @@ TEST(TangencyClaim, of_cyclides_is_rounding_until_their_rings_are_moved) {
   }
 }
 
+// What is not claimed is not proved: parts are said to be tangent at their ends.
+TEST(TangencyClaim, of_other_pieces_has_a_deviation) {
+  TangencyClaim without = claim(1);
+  without.deviation.reset();
+  for (const Solid& solid : {test::solid(test::cylinder({0, 0, 0}, {3, 0, 0}, 1)),
+                             test::solid(test::elbow(4, 1.5, 1)), test::solid(test::figure6())}) {
+    EXPECT_TRUE(at_start(solid, claim(1)));
+    EXPECT_FALSE(at_start(solid, without));
+    EXPECT_FALSE(at_end(solid, without));
+  }
+}
+
 TEST(TangencyClaim, of_rational_tubes_has_no_deviation) {
   const RationalRingedTube tube = oblique_tube(Vec3(0, 0, 0), Vec3(3, 0, 1), Vec3(1, 0, 0), 1, .5);
   const Solid solid = test::solid(tube);
