@@ -126,7 +126,7 @@ void print_build(std::ostream& out, const BuildReport& report) {
     print_row(out, "least wall", least_wall_text(report.parts, unit));
   }
   print_row(out, "smallest margin", margin_text(report.parts));
-  print_row(out, "mesh error", "at most " + decimal_at_most(error) + " " + unit);
+  print_row(out, "mesh error", at_most(error, unit));
   if (tangency) {
     print_row(out, "tangent", "within " + decimal_at_most(*tangency) + " rad");
   }

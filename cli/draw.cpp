@@ -14,7 +14,6 @@
 #include "dupin/blends/drawing.h"
 #include "dupin/io/drawing_page.h"
 #include "dupin/io/drawing_svg.h"
-#include "dupin/kernel/decimal.h"
 #include "exchange_options.h"
 #include "length.h"
 #include "number_range.h"
@@ -50,8 +49,7 @@ void print_drawing(std::ostream& out, const Drawing& drawing, const DrawingScale
   print_row(out, "scale",
             to_string(scale) + ", on " + number(size[0]) + " x " + number(size[1]) + " mm");
   print_row(out, "looking along", place_text(-drawing.view.towards));
-  print_row(out, "error",
-            "at most " + decimal_at_most(drawing.error) + " " + std::string(symbol(drawing.unit)));
+  print_row(out, "error", at_most(drawing.error, symbol(drawing.unit)));
   print_row(out, "written", arguments.output);
 }
 

@@ -9,7 +9,6 @@
 #include "commands.h"
 #include "document.h"
 #include "dupin/io/nurbs_json.h"
-#include "dupin/kernel/decimal.h"
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "length.h"
@@ -51,7 +50,7 @@ void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const 
   print_row(out, "parts", std::to_string(parts.size()) + ", " + std::to_string(exact) + " exact");
   print_row(out, "surfaces", std::to_string(surfaces));
   print_row(out, "control points", std::to_string(points));
-  print_row(out, "error", "at most " + decimal_at_most(error) + " " + std::string(symbol(unit)));
+  print_row(out, "error", at_most(error, symbol(unit)));
   print_row(out, "written", output);
 }
 

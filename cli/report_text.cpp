@@ -19,11 +19,6 @@ std::string powered(double value, std::string_view unit, std::string_view power)
   return number(value) + (unit.empty() ? "" : " " + std::string(unit) + std::string(power));
 }
 
-/// "at most 0.0123457 mm", which holds.
-std::string at_most(double bound, std::string_view unit) {
-  return "at most " + decimal_at_most(bound) + (unit.empty() ? "" : " " + std::string(unit));
-}
-
 std::string finding_text(const Finding& finding) {
   const bool of_faces = !finding.faces.empty();
   const auto& items = of_faces ? finding.faces : finding.points;
@@ -173,6 +168,10 @@ std::string cross_check_text(const CrossCheck& check) {
 }  // namespace
 
 std::string number(double value) { return decimal(value, 9); }
+
+std::string at_most(double bound, std::string_view unit) {
+  return "at most " + decimal_at_most(bound) + (unit.empty() ? "" : " " + std::string(unit));
+}
 
 std::string place_text(const Vec3& place) {
   return "(" + number(place.x()) + ", " + number(place.y()) + ", " + number(place.z()) + ")";

@@ -14,6 +14,9 @@ namespace dupin::cli {
 /// A number for people: nine significant digits.
 [[nodiscard]] std::string number(double value);
 
+/// "at most 0.0123457 mm", which holds.
+[[nodiscard]] std::string at_most(double bound, std::string_view unit);
+
 /// "(1, 2, 3)".
 [[nodiscard]] std::string place_text(const Vec3& place);
 

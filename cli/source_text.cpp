@@ -4,7 +4,6 @@
 #include <ostream>
 #include <string>
 
-#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/printable.h"
 #include "report_text.h"
 
@@ -84,7 +83,7 @@ void print_piping(std::ostream& out, const PcfReport& piping) {
   for (const JointState state : kStates) {
     print_joints(out, piping, state);
   }
-  print_row(out, "moved", "at most " + decimal_at_most(piping.network.largest_move) + " mm");
+  print_row(out, "moved", at_most(piping.network.largest_move, "mm"));
   print_source_notes(out, {piping.file.notes, piping.network.notes, piping.file.unknown});
 }
 

@@ -138,12 +138,13 @@ void infer_radii(const PipingLine& line, const std::vector<PortPair>& pairs,
     const bool is_first = i == 0 || ports[i - 1].component != ports[i].component;
     const bool is_said = !is_first && !was_known[i - 1];
     if (!was_known[i] && ports[i].radius && !is_said) {
+      const std::string radius = decimal(*ports[i].radius, kMessageDigits);
       notes.add(line.components[ports[i].component],
                 "has no bore at line " + std::to_string(ports[i].line) +
-                    (has_neighbour[ports[i].component] ? "; its neighbours' radius "
-                                                       : "; the radius of another of its ends, ") +
-                    decimal(*ports[i].radius, kMessageDigits) +
-                    (has_neighbour[ports[i].component] ? " is taken" : ", is taken"));
+                    (has_neighbour[ports[i].component]
+                         ? "; its neighbours' radius " + radius
+                         : "; the radius of another of its ends, " + radius + ",") +
+                    " is taken");
     }
   }
 }
