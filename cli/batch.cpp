@@ -162,6 +162,11 @@ class Batch {
   throw UsageError("'" + first + "' and '" + second + "' would both become '" + output + "'");
 }
 
+[[noreturn]] void refuse_in_place(const std::string& other, const std::string& file,
+                                  const std::string& output) {
+  throw UsageError("'" + output + "' of '" + file + "' would take the place of '" + other + "'");
+}
+
 }  // namespace
 
 std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const std::string& folder,
@@ -188,8 +193,7 @@ std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const 
       refuse_both(owner->second, file, output);
     }
     if (const auto other = inputs.find(place); other != inputs.end()) {
-      throw UsageError("'" + output + "' of '" + file + "' would take the place of '" +
-                       other->second + "'");
+      refuse_in_place(other->second, file, output);
     }
   }
   return items;

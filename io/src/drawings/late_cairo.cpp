@@ -24,11 +24,11 @@ Found load() {
 }  // namespace
 
 const Cairo* find_cairo(std::string* why) {
-  static const Found kFound = load();
+  static const Found found = load();
   if (why != nullptr) {
-    *why = kFound.missing;
+    *why = found.missing;
   }
-  return kFound.missing.empty() ? &kFound.cairo : nullptr;
+  return found.missing.empty() ? &found.cairo : nullptr;
 }
 
 const Cairo& cairo() {

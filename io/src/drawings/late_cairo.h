@@ -46,6 +46,7 @@ namespace dupin::drawings {
 
 /// Its functions, without "cairo_".
 struct Cairo {
+// A declared name takes no parentheses.  NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define DUPIN_CAIRO_MEMBER(name) decltype(&::cairo_##name) name = nullptr;
   DUPIN_CAIRO_FUNCTIONS(DUPIN_CAIRO_MEMBER)
 #undef DUPIN_CAIRO_MEMBER

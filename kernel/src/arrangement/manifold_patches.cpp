@@ -111,10 +111,11 @@ void ManifoldPatches::join_corners() {
 
 // Triangles with a corner that is not special coincide with no other.
 void ManifoldPatches::find_loose(const BooleanRule& rule) {
-  const auto loose = std::ranges::stable_partition(
-      bordering_, [this](std::uint32_t t) { return first_not_special(t) != kNone; });
-  loose_.assign(loose.begin(), loose.end());
-  bordering_.erase(loose.begin(), loose.end());
+  const auto loose =
+      std::stable_partition(bordering_.begin(), bordering_.end(),
+                            [this](std::uint32_t t) { return first_not_special(t) != kNone; });
+  loose_.assign(loose, bordering_.end());
+  bordering_.erase(loose, bordering_.end());
   classes_.add(loose_.size());
   for (const std::uint32_t t : loose_) {
     member_changes_.push_back(change_number(winding_change(input_, rule, input_.cover(t))));

@@ -307,8 +307,9 @@ bool add_or_refuse_lost(const PolygonSoup& given, PolygonSoup& settled,
     return false;
   }
   std::vector<LostCell> cells = lost_cells(given, settled, distinct, solid, known, lost);
-  const auto of_bodies = std::ranges::stable_partition(cells, &LostCell::is_of_bodies);
-  const std::vector<LostCell> others(of_bodies.begin(), of_bodies.end());
+  const auto of_bodies = std::stable_partition(
+      cells.begin(), cells.end(), [](const LostCell& cell) { return cell.is_of_bodies; });
+  const std::vector<LostCell> others(of_bodies, cells.end());
   if (may_add && others.size() < cells.size()) {
     cells.resize(cells.size() - others.size());
     add_walls(given, distinct, cells, settled);

@@ -43,6 +43,7 @@ class Round {
       }
     }
     std::vector<std::pair<double, Edge>> order;
+    order.reserve(far.size());
     for (const auto& [edge, length] : far) {
       order.emplace_back(-length, edge);
     }

@@ -148,11 +148,12 @@ class Round {
     }
     patch.faces.assign(faces.begin(), faces.end());
     patch.points.assign(points.begin(), points.end());
-    const auto middle = std::ranges::stable_partition(patch.points, [&](std::uint32_t v) {
+    const auto is_kept = [&](std::uint32_t v) {
       return mesh_.freedoms[v] != Freedom::region ||
              std::ranges::any_of(at_.at(v), [&](std::uint32_t g) { return !faces.contains(g); });
-    });
-    patch.kept = static_cast<std::size_t>(middle.begin() - patch.points.begin());
+    };
+    const auto middle = std::stable_partition(patch.points.begin(), patch.points.end(), is_kept);
+    patch.kept = static_cast<std::size_t>(middle - patch.points.begin());
     fill(patch);
     return patch;
   }

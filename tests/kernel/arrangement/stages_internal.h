@@ -22,6 +22,7 @@ namespace dupin::test {
 
 [[nodiscard]] inline std::vector<Solid> solids_of(const std::vector<TriMesh>& meshes) {
   std::vector<Solid> solids;
+  solids.reserve(meshes.size());
   for (const TriMesh& mesh : meshes) {
     solids.push_back(Solid::from(mesh));
   }
@@ -31,6 +32,7 @@ namespace dupin::test {
 [[nodiscard]] inline std::vector<const mesh::ExactMesh*> operands_of(
     const std::vector<Solid>& solids) {
   std::vector<const mesh::ExactMesh*> operands;
+  operands.reserve(solids.size());
   for (const Solid& solid : solids) {
     operands.push_back(&solid.exact());
   }

@@ -65,6 +65,7 @@ TEST(Selection, keeps_the_patches_that_bound_the_result) {
 TEST(Selection, asks_the_same_operand_for_many_shells) {
   // A row of cubes, twelve triangles each: more than a run of triangles, whose boxes are asked.
   std::vector<TriMesh> cubes;
+  cubes.reserve(20);
   for (int i = 0; i < 20; ++i) {
     cubes.push_back(cube(10 * i, 0, 0, 6));
   }
